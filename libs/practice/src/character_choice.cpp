@@ -29,15 +29,9 @@ CharacterStanding standing_of(const study::LearnerStore& store, char32_t charact
   return out;
 }
 
-bool mark_known(Learner& learner, char32_t character, int strokes) {
-  auto& store = learner.store();
-  if (store.card(character).paused && !learner.report(store.resume(std::span(&character, 1)))) return false;
-  if (store.card(character).leech && !learner.report(store.leech_met(std::span(&character, 1)))) return false;
-  study::Writing writing;
-  writing.stage = study::Stage::memory;
-  writing.rating = writing.proposed = study::Rating::easy;
-  writing.result.accepted = true;
-  return learner.report(store.add_writing(character, std::max(strokes, 1), writing));
+bool mark_known(Learner& learner, char32_t character) {
+  const study::KnownCharacter known{character, std::nullopt};
+  return learner.report(learner.store().know(std::span(&known, 1)));
 }
 
 std::optional<std::vector<ListMembership>> list_memberships(Learner& learner, char32_t character) {

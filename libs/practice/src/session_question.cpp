@@ -97,17 +97,41 @@ std::optional<QuestionWord> helpful_word(const StudySession& session, const Char
   return std::nullopt;
 }
 
+/// What the character is, without a word about how it is asked for.
+SessionQuestion facts_of(const kanji::Character& character) {
+  SessionQuestion question;
+  question.script = kanji::script_of(character.code_point);
+  question.sound = kanji::kana_sound(character.code_point);
+  question.strokes = static_cast<int>(character.strokes.size());
+  return question;
+}
+
+/// Meanings and readings without `secret`, and how the question then asks.
+void ask_about(const kanji::Character& character, const std::string& secret, SessionQuestion& question) {
+  question.meanings = meanings_of(character.entry, secret);
+  question.readings = readings_of(character.entry, secret);
+  if (secret.empty())
+    question.prompt = Prompt::character;
+  else if (question.sound)
+    question.prompt = Prompt::sound;
+  else if (!question.meanings.empty() || !question.readings.empty())
+    question.prompt = Prompt::meaning;
+}
+
 }  // namespace
+
+SessionQuestion question_about(const kanji::Character& character) {
+  SessionQuestion question = facts_of(character);
+  ask_about(character, base::encode_utf8(character.code_point), question);
+  return question;
+}
 
 SessionQuestion question_of(const StudySession& session, const CharacterSheet& sheet) {
   const auto& character = sheet.character;
   const std::string own = base::encode_utf8(character.code_point);
   const bool is_secret = session.asks_from_memory();
   const std::string secret = is_secret ? own : std::string();
-  SessionQuestion question;
-  question.script = kanji::script_of(character.code_point);
-  question.sound = kanji::kana_sound(character.code_point);
-  question.strokes = static_cast<int>(character.strokes.size());
+  SessionQuestion question = facts_of(character);
   if (!is_secret) {
     question.shown = character.code_point;
     question.lookalikes = nearest_lookalikes(character.code_point);
@@ -122,17 +146,9 @@ SessionQuestion question_of(const StudySession& session, const CharacterSheet& s
     question.prompt = is_secret ? Prompt::word : Prompt::character;
     return question;
   }
-  question.meanings = meanings_of(character.entry, secret);
-  question.readings = readings_of(character.entry, secret);
+  ask_about(character, secret, question);
   if (!question.sound) question.word = helpful_word(session, sheet, own);
-  if (!is_secret)
-    question.prompt = Prompt::character;
-  else if (question.sound)
-    question.prompt = Prompt::sound;
-  else if (!question.meanings.empty() || !question.readings.empty())
-    question.prompt = Prompt::meaning;
-  else if (question.word)
-    question.prompt = Prompt::word;
+  if (question.prompt == Prompt::strokes && question.word) question.prompt = Prompt::word;
   return question;
 }
 

@@ -26,7 +26,7 @@ TEST_F(CharacterChoice, ANewCharacterIsNotStudiedAndDoesNotCome) {
 }
 
 TEST_F(CharacterChoice, AKnownCharacterComesAgainAfterDaysAndCanBeUndone) {
-  ASSERT_TRUE(mark_known(*learner_, U'木', 4));
+  ASSERT_TRUE(mark_known(*learner_, U'木'));
   const auto now = standing(U'木');
   EXPECT_EQ(now.strength, study::Strength::young);
   EXPECT_TRUE(now.comes_again);
@@ -47,14 +47,14 @@ TEST_F(CharacterChoice, ASuspendedCharacterThatIsKnownIsResumed) {
   ASSERT_TRUE(learner_->store().pause(std::span(&tree, 1)));
   EXPECT_EQ(standing(tree).strength, study::Strength::paused);
   EXPECT_FALSE(standing(tree).comes_again);
-  ASSERT_TRUE(mark_known(*learner_, tree, 4));
+  ASSERT_TRUE(mark_known(*learner_, tree));
   EXPECT_NE(standing(tree).strength, study::Strength::paused);
   EXPECT_TRUE(standing(tree).comes_again);
 }
 
 TEST_F(CharacterChoice, APostponedCharacterIsNotDueBefore) {
   const char32_t tree = U'木';
-  ASSERT_TRUE(mark_known(*learner_, tree, 4));
+  ASSERT_TRUE(mark_known(*learner_, tree));
   clock_.advance(std::chrono::days(60));
   ASSERT_TRUE(
       learner_->store().postpone(std::span(&tree, 1), learner_->store().today() + std::chrono::days(1)));
@@ -76,7 +76,7 @@ TEST_F(CharacterChoice, ListsTakeACharacterAtTheirEndOnceAndGiveItUp) {
 
 TEST_F(CharacterChoice, ASessionMayBeOfChosenCharactersAlone) {
   EXPECT_FALSE(session_->start_with({}));
-  ASSERT_TRUE(mark_known(*learner_, U'土', 3));
+  ASSERT_TRUE(mark_known(*learner_, U'土'));
   ASSERT_TRUE(session_->start_with({U'土', U'士'}));
   EXPECT_EQ(session_->character(), U'土');
   EXPECT_EQ(session_->stage(), study::Stage::memory) << "it was studied before";

@@ -95,7 +95,7 @@ TEST_F(CharacterPracticeTest, LookingUpShowsTheCharacterWhateverStageWasUsedLast
 }
 
 TEST_F(CharacterPracticeTest, LookingUpDuringASessionDoesNotChangeItsStage) {
-  ASSERT_TRUE(mark_known(*learner_, U'木', 4));
+  ASSERT_TRUE(mark_known(*learner_, U'木'));
   ASSERT_TRUE(session_.start_with({U'木'}));
   inbox_.run_until([&] { return !shown_.empty(); });
   ASSERT_EQ(stage(), Stage::memory);

@@ -36,6 +36,10 @@ std::string_view name_of(EntryKind kind) {
       return "reset";
     case EntryKind::leech_met:
       return "leech_met";
+    case EntryKind::choices:
+      return "choices";
+    case EntryKind::known:
+      return "known";
   }
   return {};
 }
@@ -47,18 +51,18 @@ bool is_marked_known(const Writing& writing) {
          writing.proposed == Rating::easy && writing.result.duration.count() == 0;
 }
 
-void CardHistory::review(const LogEntry& entry, const Settings& settings) {
+void CardHistory::review(const LogEntry& entry, Rating rating, std::optional<int> interval_days,
+                         const Settings& settings) {
   const Fsrs fsrs = scheduler_of(settings);
   // A clock that was set back counts as no time.
   const int elapsed_days =
       card_.last_day ? std::max(0, static_cast<int>((entry.day - *card_.last_day).count())) : 0;
-  const Rating rating = entry.writing.rating;
   card_.memory = fsrs.next(card_.memory, rating, entry.at, elapsed_days);
   answers_.push_back({rating, entry.at, elapsed_days});
   if (card_.memory.phase == Phase::review) {
-    if (entry.interval_days) {
-      card_.memory.scheduled_days = *entry.interval_days;
-      card_.memory.due = entry.at + std::chrono::days(*entry.interval_days);
+    if (interval_days) {
+      card_.memory.scheduled_days = *interval_days;
+      card_.memory.due = entry.at + std::chrono::days(*interval_days);
     }
     card_.due_day = entry.day + std::chrono::days(card_.memory.scheduled_days);
   } else {
@@ -78,10 +82,26 @@ void CardHistory::write(const LogEntry& entry, const Settings& settings) {
   card_.next_stage = lesson.next_stage();
   card_.help = lesson.help();
   if (writing.stage == Stage::memory) {
-    review(entry, settings);
+    review(entry, writing.rating, entry.interval_days, settings);
   } else {
     ++card_.practices;
   }
+}
+
+void CardHistory::know(const LogEntry& entry, const Settings& settings) {
+  if (!card_.introduced) card_.introduced = entry.day;
+  card_.paused = false;
+  if (card_.leech) relearned(settings);
+  card_.next_stage = Stage::memory;
+  card_.help = 0;
+  std::optional<int> interval_days;
+  if (entry.until) interval_days = std::max(1, static_cast<int>((*entry.until - entry.day).count()));
+  review(entry, Rating::easy, interval_days, settings);
+}
+
+void CardHistory::relearned(const Settings& settings) {
+  card_.leech = false;
+  card_.leech_at = card_.memory.lapses + std::max(2, settings.leech_lapses / 2);
 }
 
 void CardHistory::apply(const LogEntry& entry, const Settings& settings) {
@@ -109,12 +129,15 @@ void CardHistory::apply(const LogEntry& entry, const Settings& settings) {
       return;
     }
     case EntryKind::leech_met:
-      card_.leech = false;
-      card_.leech_at = card_.memory.lapses + std::max(2, settings.leech_lapses / 2);
+      relearned(settings);
       card_.next_stage = Stage::guided;
+      return;
+    case EntryKind::known:
+      know(entry, settings);
       return;
     case EntryKind::undo:
     case EntryKind::settings:
+    case EntryKind::choices:
       return;
   }
 }

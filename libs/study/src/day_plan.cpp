@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "nazori/kanji/kana_sound.h"
 #include "nazori/study/pace.h"
 
 namespace nazori::study {
@@ -17,11 +18,13 @@ using std::chrono::milliseconds;
 using std::chrono::minutes;
 
 constexpr minutes kAhead{20};
+constexpr minutes kNewKana{1};  ///< until the learner's own pace is known
 constexpr std::array<double, kDaysOfReturn> kShareOfReturn{0.5, 0.75, 0.9};
 
 /// The study days so far, including today.
 struct Past {
   std::set<char32_t> reviewed_today;
+  std::set<char32_t> introduced_today;
   std::vector<Day> days;  ///< days with a review, oldest first
   Pace pace;
 };
@@ -31,9 +34,12 @@ base::Result<Past> read_past(const LearnerStore& learner, Day today) {
   if (!studied) return tl::unexpected(studied.error());
   const auto reviewed = learner.reviewed_on(today);
   if (!reviewed) return tl::unexpected(reviewed.error());
+  const auto introduced = learner.introduced_on(today);
+  if (!introduced) return tl::unexpected(introduced.error());
   const auto pace = pace_of(learner);
   if (!pace) return tl::unexpected(pace.error());
   Past past;
+  past.introduced_today.insert(introduced->begin(), introduced->end());
   past.reviewed_today.insert(reviewed->begin(), reviewed->end());
   for (const StudyDay& day : *studied)
     if (day.reviews > 0) past.days.push_back(day.day);
@@ -57,7 +63,9 @@ int day_of_return(std::vector<Day> all, Day today) {
 milliseconds time_for(const StudyTask& task, const Pace& pace) {
   switch (task.kind) {
     case TaskKind::fresh:
-      return pace.introduced;
+      // A kana has few strokes, one sound and no meaning. Once there is a history, that decides.
+      return pace.introduced_days < kPaceNeeds && kanji::teaching_rank(task.character) ? kNewKana
+                                                                                       : pace.introduced;
     case TaskKind::step:
       return pace.recalled;
     case TaskKind::review:
@@ -122,8 +130,9 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
   std::vector<StudyTask> begun;
   int overdue = 0;
   for (const auto& [character, card] : learner.cards()) {
-    if (card.introduced == today) ++plan.new_done;
-    const bool new_today = card.introduced == today;
+    // What was only marked as known today is no new character of the day.
+    const bool new_today = card.introduced == today && past->introduced_today.contains(character);
+    if (new_today) ++plan.new_done;
     if (past->reviewed_today.contains(character) && !new_today) ++plan.reviews_done;
     if (card.paused || (card.postponed_until && *card.postponed_until > today)) continue;
     if (card.leech) {

@@ -49,10 +49,14 @@ json::Value entry_json(const LogEntry& entry, std::span<const std::uint8_t> ink)
       json["undoes"] = *entry.undoes;
       break;
     case EntryKind::settings:
+    case EntryKind::choices:
       json["settings"] = json::parse(entry.settings).value_or(json::Value());
       break;
     case EntryKind::postpone:
       json["until"] = to_text(*entry.until);
+      break;
+    case EntryKind::known:
+      if (entry.until) json["until"] = to_text(*entry.until);
       break;
     case EntryKind::pause:
     case EntryKind::resume:

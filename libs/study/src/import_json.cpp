@@ -95,7 +95,8 @@ ReadEntry read_entry(json::Reader::Object& object) {
     case EntryKind::undo:
       entry.undoes = object.whole("undoes", 1, 1'000'000'000);
       break;
-    case EntryKind::settings: {
+    case EntryKind::settings:
+    case EntryKind::choices: {
       // Settings without what a newer version would add are whole, so they are kept as they were written.
       entry.settings = object.raw("settings");
       if (const auto settings = parse_settings(entry.settings); !settings) {
@@ -110,6 +111,10 @@ ReadEntry read_entry(json::Reader::Object& object) {
     case EntryKind::postpone:
       entry.character = read_character(object);
       entry.until = read_day(object, "until");
+      break;
+    case EntryKind::known:
+      entry.character = read_character(object);
+      if (object.has("until")) entry.until = read_day(object, "until");
       break;
     case EntryKind::pause:
     case EntryKind::resume:

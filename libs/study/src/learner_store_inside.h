@@ -81,6 +81,11 @@ struct LearnerStore::Inside {
   /// Computes the card and the study days of one character again and stores them in their tables; updating
   /// the map is up to the caller.
   [[nodiscard]] std::optional<Card> refresh_row(char32_t character);
+  /// Adds entries that mark characters as known, from `next` on, which then is the one after them.
+  void add_known(std::span<const KnownCharacter> known, LogEntry& next, Cards& changed);
+  /// Removes the list that was made with choices, if it is as it was made and not chosen otherwise.
+  /// @return the entries of the action whose settings apply no more.
+  [[nodiscard]] std::vector<std::int64_t> undo_choices(std::int64_t action);
   /// Runs `work`, which throws SQLite::Exception, and converts the exception to an error.
   template <class Work>
   auto guarded(Work work) const -> decltype(work()) {
@@ -113,10 +118,13 @@ class LogWriter {
 };
 [[nodiscard]] std::optional<Cards> read_cards(SQLite::Database& db);
 void put_list(SQLite::Database& db, const CustomList& list);
+void delete_list(SQLite::Database& db, const std::string& name);
 void put_tag(SQLite::Database& db, char32_t character, const std::string& tag);
 void put_card(SQLite::Database& db, const Card& card);
 /// Whether entries of a kind are about a character.
 [[nodiscard]] bool names_a_character(EntryKind kind);
+/// Whether entries of a kind hold settings that apply from there on.
+[[nodiscard]] bool has_settings(EntryKind kind);
 /// Errc::bad_argument for a writing that must not be logged.
 [[nodiscard]] base::Result<void> check_writing(char32_t character, int strokes, const Writing& writing);
 

@@ -31,8 +31,8 @@ class Summing {
 
   void take(const LearnerStore::LoggedEntry& logged) {
     const LogEntry& entry = logged.entry;
-    if (entry.kind == EntryKind::settings) change_settings(entry);
-    if (entry.kind == EntryKind::settings || entry.kind == EntryKind::undo) return;
+    if (entry.kind == EntryKind::settings || entry.kind == EntryKind::choices) change_settings(entry);
+    if (entry.character == 0) return;
     CardHistory& history =
         histories_.try_emplace(entry.character, CardHistory(entry.character)).first->second;
     const Card before = history.card();

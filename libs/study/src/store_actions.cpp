@@ -163,7 +163,9 @@ base::Result<std::optional<Undone>> LearnerStore::undo() {
     }
     if (action == 0) return std::optional<Undone>();
     last.reset();
-    SQLite::Statement about(in.db, "SELECT DISTINCT character FROM log WHERE action = ? ORDER BY character");
+    SQLite::Statement about(
+        in.db,
+        "SELECT DISTINCT character FROM log WHERE action = ? AND character IS NOT NULL ORDER BY character");
     about.bind(1, action);
     while (about.executeStep())
       undone.characters.push_back(static_cast<char32_t>(about.getColumn(0).getInt64()));
@@ -172,10 +174,12 @@ base::Result<std::optional<Undone>> LearnerStore::undo() {
     LogEntry entry = in.next_entry(EntryKind::undo);
     entry.undoes = action;
     Cards changed = in.cards;
+    std::vector<std::int64_t> choices;
     in.undone.insert(action);
     try {
       SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
       LogWriter(in.db).add(entry);
+      choices = in.undo_choices(action);
       for (const char32_t character : undone.characters) {
         if (const auto card = in.refresh_row(character)) {
           changed[character] = *card;
@@ -190,6 +194,9 @@ base::Result<std::optional<Undone>> LearnerStore::undo() {
     }
     in.last_id = entry.id;
     in.cards = std::move(changed);
+    std::erase_if(in.timeline, [&choices](const auto& one) {
+      return std::find(choices.begin(), choices.end(), one.first) != choices.end();
+    });
     return std::optional(std::move(undone));
   });
 }

@@ -102,10 +102,11 @@ void rebuild_days(SQLite::Database& db) {
   SQLite::Statement log(db,
                         "SELECT character, kind, day, coalesce(stage, 0), coalesce(rating, 1), "
                         "coalesce(duration_ms, 0), coalesce(proposed, 1) FROM log "
-                        "WHERE kind IN (?, ?) AND character IS NOT NULL "
+                        "WHERE kind IN (?, ?, ?) AND character IS NOT NULL "
                         "AND action NOT IN (SELECT undoes FROM log WHERE undoes IS NOT NULL) ORDER BY id");
   log.bind(1, static_cast<int>(EntryKind::writing));
   log.bind(2, static_cast<int>(EntryKind::reset));
+  log.bind(3, static_cast<int>(EntryKind::known));
   while (log.executeStep()) {
     LogEntry entry;
     entry.character = static_cast<char32_t>(log.getColumn(0).getInt64());
@@ -160,6 +161,19 @@ base::Result<std::map<char32_t, int>> LearnerStore::failed_days(Day first) const
     while (rows.executeStep())
       days.emplace(static_cast<char32_t>(rows.getColumn(0).getInt64()), rows.getColumn(1).getInt());
     return days;
+  });
+}
+
+base::Result<std::vector<char32_t>> LearnerStore::introduced_on(Day day) const {
+  return inside_->guarded([&]() -> base::Result<std::vector<char32_t>> {
+    SQLite::Statement rows(inside_->db,
+                           "SELECT DISTINCT character FROM character_day WHERE day = ? AND outcome = ? "
+                           "ORDER BY character");
+    rows.bind(1, number_of(day));
+    rows.bind(2, static_cast<int>(DayOutcome::introduced));
+    std::vector<char32_t> characters;
+    while (rows.executeStep()) characters.push_back(static_cast<char32_t>(rows.getColumn(0).getInt64()));
+    return characters;
   });
 }
 

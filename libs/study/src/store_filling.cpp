@@ -38,12 +38,13 @@ class LogCheck {
         (entry.undoes && !actions_.contains(*entry.undoes))) {
       return refuse("undoes no action");
     }
-    if ((entry.kind == EntryKind::postpone) != entry.until.has_value())
+    if (entry.kind == EntryKind::postpone ? !entry.until
+                                          : entry.until.has_value() && entry.kind != EntryKind::known)
       return refuse("has no day it postpones to");
-    if (entry.kind == EntryKind::settings && !parse_settings(entry.settings)) {
+    if (has_settings(entry.kind) && !parse_settings(entry.settings)) {
       return refuse("has settings that cannot be read");
     }
-    if (names_a_character(entry.kind)) actions_.insert(entry.action);
+    if (names_a_character(entry.kind) || entry.kind == EntryKind::choices) actions_.insert(entry.action);
     last_id_ = entry.id;
     last_action_ = entry.action;
     return {};

@@ -46,6 +46,15 @@ void put_list(SQLite::Database& db, const CustomList& list) {
   }
 }
 
+void delete_list(SQLite::Database& db, const std::string& name) {
+  for (const char* const sql :
+       {"DELETE FROM list WHERE name = ?", "DELETE FROM list_member WHERE list = ?"}) {
+    SQLite::Statement remove(db, sql);
+    remove.bind(1, name);
+    remove.exec();
+  }
+}
+
 void put_tag(SQLite::Database& db, char32_t character, const std::string& tag) {
   SQLite::Statement put(db, "INSERT OR IGNORE INTO tag VALUES(?, ?)");
   put.bind(1, static_cast<std::int64_t>(character));
@@ -82,13 +91,12 @@ base::Result<void> LearnerStore::save_list(const CustomList& list) {
 base::Result<void> LearnerStore::remove_list(std::string_view name) {
   return inside_->guarded([&]() -> base::Result<void> {
     SQLite::Transaction transaction(inside_->db, SQLite::TransactionBehavior::IMMEDIATE);
-    SQLite::Statement remove(inside_->db, "DELETE FROM list WHERE name = ?");
-    remove.bind(1, std::string(name));
-    if (remove.exec() == 0)
+    SQLite::Statement known(inside_->db, "SELECT 1 FROM list WHERE name = ?");
+    known.bind(1, std::string(name));
+    if (!known.executeStep())
       return base::fail(base::Errc::not_found, "this list does not exist", std::string(name));
-    SQLite::Statement clear(inside_->db, "DELETE FROM list_member WHERE list = ?");
-    clear.bind(1, std::string(name));
-    clear.exec();
+    known.reset();
+    delete_list(inside_->db, std::string(name));
     transaction.commit();
     return {};
   });

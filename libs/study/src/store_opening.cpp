@@ -89,16 +89,18 @@ base::Result<void> LearnerStore::Inside::load() {
   };
   timeline.assign(1, {0, Settings{}});
   undone.clear();
-  SQLite::Statement rows(db,
-                         "SELECT id, settings FROM log INDEXED BY log_of_settings WHERE settings IS NOT NULL "
-                         "ORDER BY id");
+  SQLite::Statement undos(db, "SELECT undoes FROM log WHERE undoes IS NOT NULL");
+  while (undos.executeStep()) undone.insert(undos.getColumn(0).getInt64());
+  SQLite::Statement rows(
+      db,
+      "SELECT id, settings, action FROM log INDEXED BY log_of_settings WHERE settings IS NOT NULL "
+      "ORDER BY id");
   while (rows.executeStep()) {
+    if (undone.contains(rows.getColumn(2).getInt64())) continue;
     auto settings = parse_settings(rows.getColumn(1).getString());
     if (!settings) return damaged("settings that cannot be read");
     timeline.emplace_back(rows.getColumn(0).getInt64(), *std::move(settings));
   }
-  SQLite::Statement undos(db, "SELECT undoes FROM log WHERE undoes IS NOT NULL");
-  while (undos.executeStep()) undone.insert(undos.getColumn(0).getInt64());
   last_id = db.execAndGet("SELECT coalesce(max(id), 0) FROM log").getInt64();
   auto read = read_cards(db);
   if (!read && !rebuilds) return damaged("a card that cannot be");

@@ -206,7 +206,7 @@ void LogWriter::add(const LogEntry& entry, const std::optional<PenMotion>& motio
   }
   bind << (motion ? std::optional(motion->speed) : std::nullopt)
        << (motion ? std::optional(motion->smoothness) : std::nullopt) << entry.undoes << entry.until
-       << (entry.kind == EntryKind::settings ? std::optional(entry.settings) : std::nullopt);
+       << (has_settings(entry.kind) ? std::optional(entry.settings) : std::nullopt);
   entry_.exec();
   if (packed_ink.empty()) return;
   ink_.reset();
@@ -267,7 +267,9 @@ void put_card(SQLite::Database& db, const Card& card) {
   put.exec();
 }
 
-bool names_a_character(EntryKind kind) { return kind != EntryKind::undo && kind != EntryKind::settings; }
+bool names_a_character(EntryKind kind) { return kind != EntryKind::undo && !has_settings(kind); }
+
+bool has_settings(EntryKind kind) { return kind == EntryKind::settings || kind == EntryKind::choices; }
 
 base::Result<void> check_writing(char32_t character, int strokes, const Writing& writing) {
   const auto refuse = [](const char* what, const char* where) -> base::Result<void> {

@@ -108,6 +108,10 @@ CREATE TABLE study_day(
   recalled INTEGER NOT NULL,
   failed INTEGER NOT NULL,
   introduced INTEGER NOT NULL);
+)sql",
+                                                               R"sql(
+-- The log may have entries of the kinds choices and known, which earlier versions cannot read.
+SELECT 1;
 )sql"};
 
 constexpr int kDaysSince = 2;  ///< the version that introduced character_day and study_day

@@ -8,6 +8,7 @@ void CharacterDays::take(const LogEntry& entry) {
     is_new_ = true;
     return;
   }
+  if (entry.kind == EntryKind::known) is_new_ = false;
   if (entry.kind != EntryKind::writing) return;
   const bool was_new = is_new_;
   is_new_ = false;

@@ -215,8 +215,9 @@ TEST(Card, LearnsByTheLessonOfItsSettings) {
 }
 
 TEST(EntryKinds, AreNamed) {
-  for (const EntryKind kind : {EntryKind::writing, EntryKind::undo, EntryKind::settings, EntryKind::postpone,
-                               EntryKind::pause, EntryKind::resume, EntryKind::reset, EntryKind::leech_met})
+  for (const EntryKind kind :
+       {EntryKind::writing, EntryKind::undo, EntryKind::settings, EntryKind::postpone, EntryKind::pause,
+        EntryKind::resume, EntryKind::reset, EntryKind::leech_met, EntryKind::choices, EntryKind::known})
     EXPECT_EQ(entry_kind_named(name_of(kind)), kind);
   EXPECT_FALSE(entry_kind_named("gone"));
   const LogEntry entry;

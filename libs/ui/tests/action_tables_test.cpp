@@ -9,6 +9,8 @@
 #include "characters/character_actions.h"
 #include "learners/learner_actions.h"
 #include "progress/progress_actions.h"
+#include "start/check_page.h"
+#include "start/start_page.h"
 #include "study/home.h"
 #include "study/session_actions.h"
 #include "words/language.h"
@@ -203,6 +205,7 @@ study_pause Ctrl+Shift+U
 study_reset Ctrl+Shift+N
 -
 study_end Ctrl+Shift+E
+study_choices Ctrl+Shift+G
 study_settings Ctrl+,)"));
   expect_words(actions);
 }
@@ -225,7 +228,31 @@ home_month M
 -
 home_undo Ctrl+Shift+Z
 -
+home_choices Ctrl+Shift+G
 home_study_settings Ctrl+,)"));
+  expect_words(actions);
+}
+
+TEST_F(ActionTables, OfTheFirstStart) {
+  const StartActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Study]
+start_go_on Ctrl+Return
+start_skip_all Esc)"));
+  expect_words(actions);
+}
+
+TEST_F(ActionTables, OfTheTest) {
+  const CheckActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Test]
+check_done Return Enter
+check_unknown I
+-
+check_undo Ctrl+Z Backspace
+check_clear Del
+-
+check_end Ctrl+Shift+E)"));
   expect_words(actions);
 }
 

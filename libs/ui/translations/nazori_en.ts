@@ -211,6 +211,16 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::SessionWords</name>
+    <message numerus="yes">
+        <source>Undone: what you chose to learn, and %n characters marked as known.</source>
+        <translation>
+            <numerusform>Undone: what you chose to learn, and %n character marked as known.</numerusform>
+            <numerusform>Undone: what you chose to learn, and %n characters marked as known.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StageWords</name>
     <message numerus="yes">
         <source>All %n strokes shown. Space: play again. F6: trace.</source>
@@ -252,6 +262,16 @@
         <translation>
             <numerusform>Write the character (%n stroke).</numerusform>
             <numerusform>Write the character (%n strokes).</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StartView</name>
+    <message numerus="yes">
+        <source>%n characters: %1</source>
+        <translation>
+            <numerusform>%n character: %1</numerusform>
+            <numerusform>%n characters: %1</numerusform>
         </translation>
     </message>
 </context>

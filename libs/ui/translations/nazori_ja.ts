@@ -1153,6 +1153,104 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::CheckActions</name>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>判定(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Check what you wrote and go on</source>
+        <translation>書いた字を判定して次へ進みます</translation>
+    </message>
+    <message>
+        <source>I &amp;don&apos;t know</source>
+        <translation>わからない(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Go on to the next character</source>
+        <translation>次の文字へ進みます</translation>
+    </message>
+    <message>
+        <source>&amp;Undo stroke</source>
+        <translation>1画取り消す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Undo the last stroke</source>
+        <translation>最後の画を取り消します</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>消す(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Write the character again</source>
+        <translation>この文字を最初から書き直します</translation>
+    </message>
+    <message>
+        <source>&amp;End the test</source>
+        <translation>テストをやめる(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Go back to the questions; nothing is saved</source>
+        <translation>質問に戻ります。何も保存されません</translation>
+    </message>
+    <message>
+        <source>T&amp;est</source>
+        <translation>テスト(&amp;E)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::CheckPage</name>
+    <message>
+        <source>&amp;Test</source>
+        <translation>テスト(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What you can write already, in two minutes</source>
+        <translation>今書ける文字を2分で調べます</translation>
+    </message>
+    <message>
+        <source>An empty tablet to write on from memory</source>
+        <translation>見ないで書くための空の文字板</translation>
+    </message>
+    <message>
+        <source>Write the character first, or press I if you don&apos;t know it.</source>
+        <translation>先に文字を書いてください。わからないときは I を押します。</translation>
+    </message>
+    <message>
+        <source>The writing could not be checked: %1.</source>
+        <translation>書いた字を判定できませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>Questions answered</source>
+        <translation>答えた質問</translation>
+    </message>
+    <message>
+        <source>Finish  ⏎</source>
+        <translation>判定  ⏎</translation>
+    </message>
+    <message>
+        <source>I don&apos;t know  (I)</source>
+        <translation>わからない (I)</translation>
+    </message>
+    <message>
+        <source>End the test</source>
+        <translation>テストをやめる</translation>
+    </message>
+    <message>
+        <source>Question %1 of about %2. Write from memory.</source>
+        <translation>約%2問中の%1問目。見ないで書いてください。</translation>
+    </message>
+    <message>
+        <source>Write: %1</source>
+        <translation>書いてください：%1</translation>
+    </message>
+    <message>
+        <source>The test was ended. Nothing was saved.</source>
+        <translation>テストをやめました。何も保存されていません。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::CompareView</name>
     <message>
         <source>Your writing beside the model</source>
@@ -2693,6 +2791,14 @@ Columns and rows:</source>
         <source>Save what you wrote this month as a picture (PNG)</source>
         <translation>今月書いた字を画像（PNG）として保存します</translation>
     </message>
+    <message>
+        <source>Change &amp;what I learn…</source>
+        <translation>学ぶ内容を変える(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>What you want to write, what you know already, and how long a day</source>
+        <translation>書きたい文字、もう書ける文字、1日の時間</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::HomeView</name>
@@ -3065,6 +3171,41 @@ Columns and rows:</source>
     <message>
         <source>Your handwriting: %1</source>
         <translation>書いた字：%1</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::InputWatch</name>
+    <message>
+        <source>You are writing with %1.</source>
+        <translation>%1 で書いています。</translation>
+    </message>
+    <message>
+        <source>You are writing with the pen.</source>
+        <translation>ペンで書いています。</translation>
+    </message>
+    <message>
+        <source>You are writing with your finger. A pen works better.</source>
+        <translation>指で書いています。ペンのほうが書きやすいです。</translation>
+    </message>
+    <message>
+        <source>You are writing with the mouse. Your pen tablet works better.</source>
+        <translation>マウスで書いています。お持ちのペンタブレットのほうが書きやすいです。</translation>
+    </message>
+    <message>
+        <source>You are writing with the mouse. A pen tablet works better.</source>
+        <translation>マウスで書いています。ペンタブレットのほうが書きやすいです。</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>ペン</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>指</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>マウス</translation>
     </message>
 </context>
 <context>
@@ -4402,6 +4543,14 @@ Columns and rows:</source>
         <source>Put this character into one of your own lists</source>
         <translation>この字を自分のリストに入れます</translation>
     </message>
+    <message>
+        <source>Change &amp;what I learn…</source>
+        <translation>学ぶ内容を変える(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>What you want to write, what you know already, and how long a day</source>
+        <translation>書きたい文字、もう書ける文字、1日の時間</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::SessionAnswers</name>
@@ -4622,6 +4771,20 @@ Columns and rows:</source>
     <message>
         <source>All done for now. Everything is saved.</source>
         <translation>今の分はこれで終わりです。すべて保存されています。</translation>
+    </message>
+    <message>
+        <source>Undone: what you chose to learn.</source>
+        <translation>取り消しました：学ぶ内容の選択。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Undone: what you chose to learn, and %n characters marked as known.</source>
+        <translation>
+            <numerusform>取り消しました：学ぶ内容の選択と、%n字に付けた「書ける」の印。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Undone: %1 is no longer marked as known.</source>
+        <translation>取り消しました：%1 に付けた「書ける」の印。</translation>
     </message>
 </context>
 <context>
@@ -4978,6 +5141,268 @@ Columns and rows:</source>
         <source>Enter</source>
         <comment>the key</comment>
         <translation>Enter</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StartActions</name>
+    <message>
+        <source>&amp;Write</source>
+        <translation>書く(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Save these answers and write the first character</source>
+        <translation>答えを保存して最初の文字を書きます</translation>
+    </message>
+    <message>
+        <source>S&amp;kip</source>
+        <translation>スキップ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Leave everything as it is</source>
+        <translation>何も変えません</translation>
+    </message>
+    <message>
+        <source>St&amp;udy</source>
+        <translation>学習(&amp;U)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StartPage</name>
+    <message>
+        <source>Change &amp;what I learn</source>
+        <translation>学ぶ内容を変える(&amp;W)</translation>
+    </message>
+    <message>
+        <source>What you want to write, what you know already, and how long a day</source>
+        <translation>書きたい文字、もう書ける文字、1日の時間</translation>
+    </message>
+    <message>
+        <source>Type or paste the characters that you want to write.</source>
+        <translation>書きたい文字を入力するか、貼り付けてください。</translation>
+    </message>
+    <message>
+        <source>There are no characters to test.</source>
+        <translation>テストする文字がありません。</translation>
+    </message>
+    <message>
+        <source>Enter: start. Tab and the arrow keys: other answers.</source>
+        <translation>Enter で始めます。ほかの答えは Tab と矢印キーで選べます。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StartView</name>
+    <message>
+        <source>What to learn</source>
+        <translation>学ぶ内容</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>What would you like to write?</source>
+        <translation>何を書きたいですか。</translation>
+    </message>
+    <message>
+        <source>Hiragana</source>
+        <translation>ひらがな</translation>
+    </message>
+    <message>
+        <source>the first step</source>
+        <translation>最初の一歩</translation>
+    </message>
+    <message>
+        <source>Katakana</source>
+        <translation>カタカナ</translation>
+    </message>
+    <message>
+        <source>for words from abroad</source>
+        <translation>外来語に使う文字</translation>
+    </message>
+    <message>
+        <source>Kanji</source>
+        <translation>漢字</translation>
+    </message>
+    <message>
+        <source>by grade, JLPT or frequency</source>
+        <translation>学年、JLPT、頻度の順</translation>
+    </message>
+    <message>
+        <source>My own list</source>
+        <translation>自分のリスト</translation>
+    </message>
+    <message>
+        <source>type or paste any text</source>
+        <translation>文章を入力または貼り付け</translation>
+    </message>
+    <message>
+        <source>Which kanji first?</source>
+        <translation>どの漢字から始めますか。</translation>
+    </message>
+    <message>
+        <source>By school grade</source>
+        <translation>学年順</translation>
+    </message>
+    <message>
+        <source>By JLPT level</source>
+        <translation>JLPT のレベル順</translation>
+    </message>
+    <message>
+        <source>By frequency</source>
+        <translation>よく使う順</translation>
+    </message>
+    <message>
+        <source>Text with the characters you want to write</source>
+        <translation>書きたい文字を含む文章</translation>
+    </message>
+    <message>
+        <source>Type or paste any text. Its kanji become your list.</source>
+        <translation>文章を入力するか、貼り付けてください。その中の漢字がリストになります。</translation>
+    </message>
+    <message>
+        <source>What can you write already?</source>
+        <translation>もう書ける文字はありますか。</translation>
+    </message>
+    <message>
+        <source>I am new</source>
+        <translation>初めて習う</translation>
+    </message>
+    <message>
+        <source>I know kana</source>
+        <translation>かなは書ける</translation>
+    </message>
+    <message>
+        <source>I know some kanji</source>
+        <translation>漢字も少し書ける</translation>
+    </message>
+    <message>
+        <source>Test me, 2 minutes</source>
+        <translation>2分のテストで調べる</translation>
+    </message>
+    <message>
+        <source>How many kanji do you know?</source>
+        <translation>どこまでの漢字が書けますか。</translation>
+    </message>
+    <message>
+        <source>up to grade %1</source>
+        <translation>小学%1年まで</translation>
+    </message>
+    <message>
+        <source>all school kanji</source>
+        <translation>常用漢字すべて</translation>
+    </message>
+    <message>
+        <source>up to old JLPT level %1</source>
+        <translation>旧 JLPT %1級まで</translation>
+    </message>
+    <message>
+        <source>Mark these as known</source>
+        <translation>書ける文字として印を付ける</translation>
+    </message>
+    <message>
+        <source>Mark nothing</source>
+        <translation>印を付けない</translation>
+    </message>
+    <message>
+        <source>The result of the test</source>
+        <translation>テストの結果</translation>
+    </message>
+    <message>
+        <source>How long a day?</source>
+        <translation>1日にどれくらい学びますか。</translation>
+    </message>
+    <message>
+        <source>Welcome. ようこそ。</source>
+        <translation>ようこそ。</translation>
+    </message>
+    <message>
+        <source>What do you want to learn?</source>
+        <translation>何を学びますか。</translation>
+    </message>
+    <message>
+        <source>Three questions, then you write. You can change every answer later.</source>
+        <translation>3つの質問に答えたら、すぐに書き始めます。答えはあとで変えられます。</translation>
+    </message>
+    <message>
+        <source>Only what you change here is changed.</source>
+        <translation>ここで変えたことだけが変わります。</translation>
+    </message>
+    <message>
+        <source>Skip (Esc)</source>
+        <translation>スキップ (Esc)</translation>
+    </message>
+    <message>
+        <source>Back (Esc)</source>
+        <translation>戻る (Esc)</translation>
+    </message>
+    <message>
+        <source>My list</source>
+        <translation>自分のリスト</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>テストを始める</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>%1 を書く</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存する</translation>
+    </message>
+    <message>
+        <source>Enter: start</source>
+        <translation>Enter で始めます</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters: %1</source>
+        <translation>
+            <numerusform>%n字：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You know every character of this choice already. Choose something else to write.</source>
+        <translation>選んだ文字はもうすべて書けます。ほかの文字を選んでください。</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1分</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StartWords</name>
+    <message>
+        <source>You are at the beginning. Nothing is marked as known.</source>
+        <translation>これから始めるところです。「書ける」の印は付けません。</translation>
+    </message>
+    <message>
+        <source>You can write about %1 of the %2 hiragana, up to %3.</source>
+        <translation>ひらがな%2字のうち約%1字が書けます（%3 まで）。</translation>
+    </message>
+    <message>
+        <source>You can write about %1 of the %2 katakana, up to %3.</source>
+        <translation>カタカナ%2字のうち約%1字が書けます（%3 まで）。</translation>
+    </message>
+    <message>
+        <source>You can write about %1 of the %2 characters of your list.</source>
+        <translation>リストの%2字のうち約%1字が書けます。</translation>
+    </message>
+    <message>
+        <source>You can write about %1 of the %2 kanji of the old JLPT, up to level %3.</source>
+        <translation>旧 JLPT の漢字%2字のうち約%1字が書けます（%3級まで）。</translation>
+    </message>
+    <message>
+        <source>You can write about %1 of the %2 school kanji.</source>
+        <translation>常用漢字%2字のうち約%1字が書けます。</translation>
+    </message>
+    <message>
+        <source>You can write about %1 of the %2 school kanji, up to grade %3.</source>
+        <translation>常用漢字%2字のうち約%1字が書けます（小学%3年まで）。</translation>
+    </message>
+    <message>
+        <source>You can write about %1 of the %2 school kanji, into secondary school.</source>
+        <translation>常用漢字%2字のうち約%1字が書けます（中学以上まで）。</translation>
     </message>
 </context>
 <context>

@@ -47,7 +47,7 @@ void Characters::connect_standing() {
     if (!sheet) return;
     const char32_t character = sheet->character.code_point;
     auto& learner = parts().learner();
-    if (!practice::mark_known(learner, character, static_cast<int>(sheet->character.strokes.size()))) return;
+    if (!practice::mark_known(learner, character)) return;
     const auto standing = practice::standing_of(learner.store(), character);
     parts().announce(
         Feedback::good,

@@ -55,6 +55,7 @@ void Characters::connect_study_actions() {
     });
   on(session_actions_->undo, [&session] { session.undo(); });
   on(session_actions_->end, [&session] { session.end(); });
+  on(session_actions_->choices, [this] { parts().go_to(QStringLiteral("start")); });
   on(session_actions_->settings, [this] {
     ask_study_settings(parts());
     parts().focus_tablet();

@@ -68,6 +68,10 @@ class Page : public QObject {
   /// A widget that replaces the tablet and its panels. nullptr: the tablet is shown.
   [[nodiscard]] virtual QWidget* instead_of_tablet() const { return nullptr; }
   [[nodiscard]] virtual ActionSet* actions() const { return nullptr; }
+  /// Whether the page is in the rail and in the menu "Go" and opens again at the next start.
+  [[nodiscard]] virtual bool is_listed() const { return true; }
+  /// Whether the window must open with this page, whatever was shown last.
+  [[nodiscard]] virtual bool comes_first() const { return false; }
   /// The middle of the toolbar.
   [[nodiscard]] virtual QList<Tool> tools() const { return {}; }
 

@@ -11,6 +11,7 @@
 #include "nazori/practice/character_practice.h"
 #include "nazori/practice/learner.h"
 #include "nazori/practice/learner_exchange.h"
+#include "nazori/practice/placement_run.h"
 #include "nazori/practice/settings_change.h"
 #include "nazori/practice/study_session.h"
 #include "nazori/practice/tablet_recording.h"
@@ -47,6 +48,8 @@ class WindowParts final : public QObject {
   [[nodiscard]] practice::LearnerExchange& exchange() { return exchange_; }
   [[nodiscard]] practice::SettingsChange& settings_change() { return settings_change_; }
   [[nodiscard]] practice::StudySession& session() { return session_; }
+  /// The test of what the learner can write already.
+  [[nodiscard]] practice::PlacementRun& placement() { return placement_; }
   /// The back ends for haptic devices. The caller opens and owns them.
   [[nodiscard]] devices::TabletDevice::BackEnds take_back_ends() { return std::move(back_ends_); }
   void set_back_ends(devices::TabletDevice::BackEnds back_ends) { back_ends_ = std::move(back_ends); }
@@ -98,6 +101,7 @@ class WindowParts final : public QObject {
   QTimer day_timer_;
   base::SystemClock clock_;
   practice::StudySession session_{learner_, clock_};
+  practice::PlacementRun placement_{learner_, tablet_, judge_, clock_};
   practice::CharacterPractice practice_;
   devices::TabletDevice::BackEnds back_ends_;
   bool is_open_ = false;

@@ -74,6 +74,7 @@ Preferences Preferences::load(const QString& file) {
   p.left_handed = ini.value(QStringLiteral("window/left_handed"), p.left_handed).toBool();
   p.one_hand = read_name(ini, QStringLiteral("study/one_hand"), kHands, p.one_hand);
   p.begin_at_home = ini.value(QStringLiteral("study/begin_at_home"), p.begin_at_home).toBool();
+  p.skipped_start = ini.value(QStringLiteral("study/skipped_start")).toStringList();
   p.folder = ini.value(QStringLiteral("files/folder")).toString();
   return p;
 }
@@ -110,6 +111,7 @@ bool Preferences::save(const QString& file) const {
   ini.setValue(QStringLiteral("window/left_handed"), left_handed);
   ini.setValue(QStringLiteral("study/one_hand"), QLatin1String(kHands[static_cast<std::size_t>(one_hand)]));
   ini.setValue(QStringLiteral("study/begin_at_home"), begin_at_home);
+  ini.setValue(QStringLiteral("study/skipped_start"), skipped_start);
   ini.setValue(QStringLiteral("files/folder"), folder);
   ini.sync();
   return ini.status() == QSettings::NoError;

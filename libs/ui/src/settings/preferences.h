@@ -48,6 +48,7 @@ struct Preferences {
   bool left_handed = false;                     ///< the panels beside the tablet change sides
   OneHand one_hand = OneHand::none;             ///< keys of a session within reach of one hand
   bool begin_at_home = true;                    ///< the window opens with Home, not with the last page
+  QStringList skipped_start;                    ///< learners who skipped the questions of the first start
   QString folder;                               ///< where the last file was opened or saved
 
   /// The folder in which a file dialog begins.

@@ -46,8 +46,10 @@ HomeActions::HomeActions(QWidget* window) : ActionSet(window) {
               "Ctrl+Shift+Z", Icon::undo);
   settings = make("home_study_settings", tr("Study se&ttings…"),
                   tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
+  choices = make("home_choices", tr("Change &what I learn…"),
+                 tr("What you want to write, what you know already, and how long a day"), "Ctrl+Shift+G");
   add_group(tr("St&udy"), {start, reviews, more, ahead, practise, leeches, choose, nullptr, all_ink, week,
-                           month, nullptr, undo, nullptr, settings});
+                           month, nullptr, undo, nullptr, choices, settings});
 }
 
 Home::Home(WindowParts& parts)
@@ -81,6 +83,7 @@ Home::Home(WindowParts& parts)
   on(actions_->all_ink, [this](bool all) { view_->show_all_ink(all); });
   on(actions_->week, [this] { save_picture(false); });
   on(actions_->month, [this] { save_picture(true); });
+  on(actions_->choices, [this] { this->parts().go_to(QStringLiteral("start")); });
   on(actions_->settings, [this] {
     ask_study_settings(this->parts());
     this->parts().focus_tablet();

@@ -16,7 +16,7 @@ class HomeActions final : public ActionSet {
  public:
   explicit HomeActions(QWidget* window);
   QAction *start, *reviews, *more, *ahead, *practise, *leeches, *choose;
-  QAction *all_ink, *week, *month, *undo, *settings;
+  QAction *all_ink, *week, *month, *undo, *settings, *choices;
 };
 
 /// The first page: what is due today and the button that starts a session, and what was written last.

@@ -32,12 +32,14 @@ SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
   add_to_list = make("add_to_list", tr("Add to &list…"), tr("Put this character into one of your own lists"),
                      "Ctrl+Shift+A");
   end = make("study_end", tr("End the &session"), tr("Everything you rated is saved"), "Ctrl+Shift+E");
+  choices = make("study_choices", tr("Change &what I learn…"),
+                 tr("What you want to write, what you know already, and how long a day"), "Ctrl+Shift+G");
   settings = make("study_settings", tr("Study se&ttings…"),
                   tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
   QList<QAction*> all{start, go_on, nullptr};
   for (auto* one : rate) all.append(one);
   all.append({nullptr, undo, nullptr, study_this, know_this, add_to_list, tags, nullptr, postpone, pause,
-              reset, nullptr, end, settings});
+              reset, nullptr, end, choices, settings});
   add_group(tr("St&udy"), all);
 }
 

@@ -18,7 +18,7 @@ class SessionActions final : public ActionSet {
   QAction *start, *go_on;
   std::array<QAction*, 4> rate;  ///< again, hard, good, easy
   QAction *undo, *postpone, *pause, *reset, *end;
-  QAction *tags, *study_this, *know_this, *add_to_list, *settings;
+  QAction *tags, *study_this, *know_this, *add_to_list, *choices, *settings;
 
   /// Enables the actions that are possible now.
   void show_state(const practice::StudySession& session, bool can_write);

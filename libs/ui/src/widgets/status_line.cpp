@@ -10,6 +10,7 @@
 #include "events/signals.h"
 #include "nazori/practice/tablet_control.h"
 #include "nazori/practice/tablet_recording.h"
+#include "widgets/input_watch.h"
 #include "widgets/parts.h"
 #include "words/device_text.h"
 #include "words/kanji_text.h"
@@ -47,6 +48,7 @@ StatusLine::StatusLine(practice::TabletControl& controller, practice::TabletReco
   }
   since_.start();
   show_device();
+  connect(&InputWatch::of_program(), &InputWatch::changed, this, &StatusLine::show_device);
   show_recording();
   subscribe(controller_.device().changed, this, [this] {
     ticks_ = 0;
@@ -70,6 +72,9 @@ void StatusLine::show_device() {
   const auto device = controller_.device().describe();
   const QString name = device_name(device.name);
   device_->setText(device.has_force ? name : tr("%1 (no force)").arg(name));
+  device_->setToolTip(
+      InputWatch::of_program().sentence(controller_.device().is_pointer() ? QString() : name));
+  fit();
 }
 
 void StatusLine::show_recording() {
@@ -116,6 +121,12 @@ void StatusLine::fit() {
   // Labels that do not fit are left out completely, the least important first. The page "Device" shows all of
   // them.
   int room = contentsRect().width() - kMargin;
+  if (controller_.device().is_pointer()) {
+    for (const QString& words : InputWatch::of_program().shorter_and_shorter()) {
+      device_->setText(words);
+      if (device_->sizeHint().width() + kGap <= room) break;
+    }
+  }
   bool full = false;
   for (auto* label : {record_, device_, depth_, rate_, missed_, timing_}) {
     if (label->text().isEmpty() || (label == record_ && !recording_.is_on() && !recording_.is_exporting())) {

@@ -66,6 +66,9 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
     const auto& all = inside_->pages;
     QString first = setup.page;
     if (first.isEmpty())
+      for (const auto& page : all)
+        if (page->comes_first()) first = page->id();
+    if (first.isEmpty())
       first = preferences.begin_at_home && all.front()->id() == QLatin1String("home") ? all.front()->id()
                                                                                       : preferences.page;
     const auto last =
@@ -206,11 +209,13 @@ void MainWindow::Inside::build(const Setup& setup) {
       page_column->addWidget(replacement, 1);
       stage->addWidget(holder);
     }
-    auto* entry = actions->add_page(page);
-    QObject::connect(entry, &QAction::triggered, &window, [this, &page] {
-      enter(page);
-      focus_tablet();  // even if the page is already shown: this is the way back from its lists
-    });
+    if (page.is_listed()) {
+      auto* entry = entries[&page] = actions->add_page(page);
+      QObject::connect(entry, &QAction::triggered, &window, [this, &page] {
+        enter(page);
+        focus_tablet();  // even if the page is already shown: this is the way back from its lists
+      });
+    }
     QObject::connect(&page, &Page::wants_to_be_entered, &window, [this, &page] { enter(page); });
     QObject::connect(&page, &Page::title_changed, &window, [this] { show_title(); });
     QObject::connect(&page, &Page::tools_changed, &window, [this, &page] {
@@ -222,7 +227,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   }
   rail = new PageRail(actions->pages(), &window);
   window.addToolBar(Qt::LeftToolBarArea, rail);
-  rail->setVisible(pages.size() > 1);
+  rail->setVisible(entries.size() > 1);
 }
 
 void MainWindow::Inside::build_tablet(bool draws_tablet) {
@@ -255,9 +260,7 @@ void MainWindow::Inside::enter(Page& page) {
   current = &page;
   if (auto* own = page.actions()) own->set_in_force(true);
   actions->enter(page, window.menuBar());
-  const auto entry =
-      std::find_if(pages.begin(), pages.end(), [&](const auto& one) { return one.get() == current; });
-  actions->pages()[entry - pages.begin()]->setChecked(true);
+  if (auto* entry = entries.value(current)) entry->setChecked(true);
 
   auto* replacement = page.instead_of_tablet();
   auto* holder = replacement != nullptr ? replacement->parentWidget() : panes;
@@ -285,6 +288,7 @@ void MainWindow::Inside::enter(Page& page) {
   show_room();
   show_title();
   focus_tablet();
+  if (!page.is_listed()) return;
   parts.preferences().page = page.id();
   save_later();
 }

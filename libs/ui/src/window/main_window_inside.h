@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QHash>
 #include <QTimer>
 #include <memory>
 #include <vector>
@@ -60,6 +61,7 @@ struct MainWindow::Inside {
   WindowParts parts;
   std::vector<std::unique_ptr<Page>> pages;
   Page* current = nullptr;
+  QHash<const Page*, QAction*> entries;  ///< of the pages in the rail
 
   Actions* actions = nullptr;
   LearnerMenu* learner_menu = nullptr;

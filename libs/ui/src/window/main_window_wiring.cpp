@@ -192,7 +192,7 @@ void MainWindow::Inside::set_full_screen(bool on) {
   actions->full_screen->setChecked(on);
   window.menuBar()->setVisible(!on);
   show_room();
-  rail->setVisible(!on && pages.size() > 1);
+  rail->setVisible(!on && entries.size() > 1);
   panes->set_alone(on);
   window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
                            : window.windowState() & ~Qt::WindowFullScreen);

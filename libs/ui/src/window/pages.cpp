@@ -4,6 +4,8 @@
 #include "functions/functions_page.h"
 #include "page/page.h"
 #include "progress/progress.h"
+#include "start/check_page.h"
+#include "start/start_page.h"
 #include "study/home.h"
 
 namespace nazori::ui {
@@ -18,7 +20,8 @@ std::unique_ptr<Page> make(WindowParts& parts) {
 
 std::vector<MakePage> registered_pages() {
   return {
-      make<Home>, make<Characters>, make<Progress>, make<FunctionsPage>, make<DevicePage>,
+      make<Home>,       make<Characters>, make<Progress>,  make<FunctionsPage>,
+      make<DevicePage>, make<StartPage>,  make<CheckPage>,
   };
 }
 

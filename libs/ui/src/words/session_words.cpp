@@ -34,6 +34,11 @@ Feedback SessionWords::kind(const SessionFeedback& feedback) {
 }
 
 QString SessionWords::undone(const SessionFeedback& feedback) {
+  if (feedback.entry == study::EntryKind::choices)
+    return feedback.characters.empty()
+               ? tr("Undone: what you chose to learn.")
+               : tr("Undone: what you chose to learn, and %n characters marked as known.", nullptr,
+                    static_cast<int>(feedback.characters.size()));
   constexpr int kMostNamed = 20;
   QString about;
   for (const char32_t one : feedback.characters) {
@@ -55,6 +60,8 @@ QString SessionWords::undone(const SessionFeedback& feedback) {
         return tr("Undone: %1 is suspended again.");
       case study::EntryKind::reset:
         return tr("Undone: your progress with %1 is back.");
+      case study::EntryKind::known:
+        return tr("Undone: %1 is no longer marked as known.");
       default:
         return tr("Undone: %1.");
     }

@@ -23,12 +23,11 @@ struct CharacterStanding {
 };
 [[nodiscard]] CharacterStanding standing_of(const study::LearnerStore& store, char32_t character);
 
-/// Marks a character as known: a review rated Easy without a writing, which makes it come after about a week
-/// to be written from memory. A character that is known already, or was forgotten too often, is resumed and
-/// comes as one rated Easy. It can be undone like any review.
-/// @param strokes  of the character, >= 1.
+/// Marks a character as known, which makes it come after about a week to be written from memory. A character
+/// that was suspended, or forgotten too often, comes again. It is no writing of the day, and one undo takes
+/// it back.
 /// @return whether it was saved; why not is announced by the learner.
-bool mark_known(Learner& learner, char32_t character, int strokes);
+bool mark_known(Learner& learner, char32_t character);
 
 /// The names of the learner's own lists, and whether the character is in each.
 struct ListMembership {

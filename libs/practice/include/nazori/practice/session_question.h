@@ -59,6 +59,9 @@ struct SessionQuestion {
   friend bool operator==(const SessionQuestion&, const SessionQuestion&) = default;
 };
 
+/// The question that asks for a character from memory, without a word.
+[[nodiscard]] SessionQuestion question_about(const kanji::Character& character);
+
 /// The present question of `session`. @param sheet  of its character.
 [[nodiscard]] SessionQuestion question_of(const StudySession& session, const CharacterSheet& sheet);
 

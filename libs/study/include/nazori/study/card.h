@@ -25,6 +25,8 @@ enum class EntryKind : std::uint8_t {
   resume = 5,     ///< it comes again
   reset = 6,      ///< it is new again
   leech_met = 7,  ///< a difficult character was relearned; it is reviewed again
+  choices = 8,    ///< what the learner chose to learn: as `settings`, but it can be undone
+  known = 9,      ///< the learner knows a character without having written it here; it is reviewed later
 };
 /// "writing", "undo", ...
 [[nodiscard]] std::string_view name_of(EntryKind kind);
@@ -52,13 +54,13 @@ struct LogEntry {
   Time at{};
   Day day{};  ///< study day, by the zone the learner was in
   EntryKind kind = EntryKind::writing;
-  char32_t character = 0;            ///< all but undo and settings
+  char32_t character = 0;            ///< all but undo, settings and choices
   Writing writing;                   ///< writing
   std::optional<int> interval_days;  ///< writing: the interval that was set, if it was moved within its range
   int strokes = 1;                   ///< writing: strokes of the character, >= 1
   std::optional<std::int64_t> undoes;  ///< undo: the action
-  std::optional<Day> until;            ///< postpone
-  std::string settings;                ///< settings: JSON
+  std::optional<Day> until;            ///< postpone; known: the day of the first review, if it was chosen
+  std::string settings;                ///< settings, choices: JSON
 
   friend bool operator==(const LogEntry&, const LogEntry&) = default;
 };
@@ -67,7 +69,8 @@ struct LogEntry {
 struct Card {
   char32_t character = 0;
   Memory memory;
-  std::optional<Day> introduced;       ///< the first day of study since it was last reset
+  std::optional<Day> introduced;       ///< the first day of study since it was last reset, or when it was
+                                       ///< marked as known
   std::optional<Day> last_day;         ///< of the last review from memory
   std::optional<Day> due_day;          ///< in the phase `review`: the study day on which it is due
   std::optional<Day> postponed_until;  ///< not before this day
@@ -119,7 +122,10 @@ class CardHistory {
     int elapsed_days;
   };
   void write(const LogEntry& entry, const Settings& settings);
-  void review(const LogEntry& entry, const Settings& settings);
+  void know(const LogEntry& entry, const Settings& settings);
+  void review(const LogEntry& entry, Rating rating, std::optional<int> interval_days,
+              const Settings& settings);
+  void relearned(const Settings& settings);
   Card card_;
   std::vector<Answer> answers_;
   bool met_ = false;

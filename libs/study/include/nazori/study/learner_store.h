@@ -47,6 +47,21 @@ struct Undone {
   std::vector<char32_t> characters;  ///< it was about, ascending
 };
 
+/// A character that the learner knows without having written it here.
+struct KnownCharacter {
+  char32_t character = 0;
+  std::optional<Day> due;  ///< of its first review; nullopt: as after a review rated Easy
+
+  friend bool operator==(const KnownCharacter&, const KnownCharacter&) = default;
+};
+
+/// What a learner chose to learn, and what is known already.
+struct StudyChoices {
+  Settings settings;               ///< from now on
+  std::optional<CustomList> list;  ///< a list made for it, whose name is not taken yet
+  std::vector<KnownCharacter> known;
+};
+
 /// Whether the file may be written.
 enum class Access : std::uint8_t {
   read,
@@ -110,7 +125,8 @@ class LearnerStore {
   /// The card as it would be after a review with `rating` now, including fuzz and load balance; for "Good: in
   /// 4 days" on a button.
   [[nodiscard]] base::Result<Card> preview(char32_t character, Rating rating) const;
-  /// Undoes the last action that is not undone yet and is not a change of settings. nullopt: there is none.
+  /// Undoes the last action that is not undone yet and is not a change of settings alone. nullopt: there is
+  /// none.
   [[nodiscard]] base::Result<std::optional<Undone>> undo();
   [[nodiscard]] base::Result<void> postpone(std::span<const char32_t> characters, Day until) {
     return act(characters, EntryKind::postpone, until);
@@ -128,6 +144,14 @@ class LearnerStore {
   [[nodiscard]] base::Result<void> leech_met(std::span<const char32_t> characters) {
     return act(characters, EntryKind::leech_met);
   }
+  /// Characters are known: each is reviewed from memory later, resumed if it was suspended, and no longer
+  /// difficult. It is no writing of this day.
+  [[nodiscard]] base::Result<void> know(std::span<const KnownCharacter> known);
+  /// All of it as one action, or nothing. undo() also brings back the settings of before and removes the list
+  /// unless it was changed or is chosen meanwhile.
+  /// @return Errc::bad_argument as check(), for a list whose name is taken or invalid, and for settings that
+  /// change intervals or days.
+  [[nodiscard]] base::Result<void> choose(const StudyChoices& choices);
   /// @return Errc::bad_argument as check(); Errc::cancelled, then the settings are unchanged.
   [[nodiscard]] base::Result<void> change_settings(const Settings& settings,
                                                    const base::Progress& progress = {});
@@ -154,6 +178,8 @@ class LearnerStore {
   [[nodiscard]] base::Result<std::vector<char32_t>> reviewed_on(Day day) const;
   /// Characters whose first review of a day failed, with the number of such days from `first` on.
   [[nodiscard]] base::Result<std::map<char32_t, int>> failed_days(Day first) const;
+  /// Characters that were written for the first time on a day, ascending.
+  [[nodiscard]] base::Result<std::vector<char32_t>> introduced_on(Day day) const;
   /// Durations of the newest character days with an outcome. @param most  maximum number of durations; `days`
   /// counts all.
   [[nodiscard]] base::Result<OutcomeTimes> newest_times(DayOutcome outcome, int most) const;

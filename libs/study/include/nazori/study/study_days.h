@@ -32,8 +32,9 @@ struct CharacterDay {
 /// where the character is reset; after that it is new again.
 class CharacterDays {
  public:
-  /// Entries of one character in the order of the log, without those that were undone. Entries other than
-  /// writings and resets are ignored.
+  /// Entries of one character in the order of the log, without those that were undone. A character that was
+  /// marked as known is not new any more, but that makes no study day. Entries other than writings, resets
+  /// and such marks are ignored.
   void take(const LogEntry& entry);
   /// The days so far, in the order of the log. A day may appear twice.
   [[nodiscard]] const std::vector<CharacterDay>& days() const { return days_; }

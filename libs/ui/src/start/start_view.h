@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QScrollArea>
+#include <optional>
+
+#include "nazori/practice/learning_choices.h"
+#include "nazori/practice/placement_run.h"
+
+class QButtonGroup;
+class QComboBox;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace nazori::ui {
+
+class ChoiceButton;
+
+/// The three questions of the first start, and the button that begins.
+class StartView final : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit StartView(QWidget* parent = nullptr);
+
+  /// Shows answers; what is missing is not chosen. @param is_first  welcomes the learner.
+  void show_answers(const practice::LearningAnswers& answers, bool is_first);
+  /// The answers that are chosen now.
+  [[nodiscard]] practice::LearningAnswers answers() const;
+  /// Whether the learner wants to find out what is known, and there is no result yet.
+  [[nodiscard]] bool wants_check() const;
+  /// What a check found, which the learner may take or refuse; nullopt: none.
+  void show_result(const std::optional<practice::PlacementResult>& result);
+  /// What the button begins with. @param first  a new character; 0: none is left. @param trouble  why
+  /// nothing can be begun; empty: nothing is wrong. @param own  the characters of the learner's own text.
+  void show_plan(char32_t first, const QString& trouble, const std::vector<char32_t>& own);
+  /// What the learner writes with.
+  void show_input(const QString& sentence);
+
+ signals:
+  /// An answer is different.
+  void changed();
+  void write_wanted();
+  void skip_wanted();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QLabel* add_question(const QString& words);
+  /// A row of answers, of which one is chosen. @param spoken  the question.
+  QButtonGroup* add_row(const QList<ChoiceButton*>& buttons, const char* name, const QString& spoken);
+  void add_goals();
+  void add_known();
+  void add_minutes();
+  void add_end();
+  void choose(QButtonGroup* group, int id);
+  void note_change();
+  void show_parts();
+  void fit();
+
+  QWidget* content_;
+  QLabel *welcome_, *about_;
+  QButtonGroup *goal_, *kanji_, *known_, *result_, *minutes_;
+  QWidget* kanji_row_;
+  QWidget* result_row_;
+  QPlainTextEdit* own_text_;
+  QLabel* own_found_;
+  QComboBox* level_;
+  QLabel* result_words_;
+  QPushButton *write_, *skip_;
+  QLabel *trouble_, *input_;
+  std::optional<practice::PlacementResult> found_;
+  char32_t first_ = 0;
+  bool is_first_ = true;
+};
+
+}  // namespace nazori::ui
