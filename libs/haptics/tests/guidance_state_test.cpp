@@ -19,8 +19,6 @@ using test::kTick_s;
 using test::line_of;
 using test::Tip;
 
-constexpr Vec3 kAbove{0, 0, 0.005};
-
 /// Rests there, down.
 void rest(Tip& tip, double x, double y, int ticks, const Vec3& velocity_m_s = Vec3(0)) {
   for (int i = 0; i < ticks; ++i) tip.at({x, y, -kDepth_m}, velocity_m_s);

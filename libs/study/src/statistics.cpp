@@ -17,12 +17,6 @@ constexpr double kMatureDays = 21;
 constexpr std::size_t kMostHardStrokes = 100;
 constexpr int kForgiveness = 7;
 
-/// The circumstances of a review.
-struct Before {
-  Day last_day;
-  double stability;
-};
-
 /// Computes all sums in one pass over the log.
 class Summing {
  public:
@@ -31,8 +25,7 @@ class Summing {
 
   void take(const LearnerStore::LoggedEntry& logged) {
     const LogEntry& entry = logged.entry;
-    if (entry.kind == EntryKind::settings) change_settings(entry);
-    if (entry.kind == EntryKind::settings || entry.kind == EntryKind::undo) return;
+    if (entry.kind == EntryKind::settings) return change_settings(entry);
     CardHistory& history =
         histories_.try_emplace(entry.character, CardHistory(entry.character)).first->second;
     const Card before = history.card();
