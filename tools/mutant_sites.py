@@ -87,6 +87,9 @@ def faults_of(file, text):
         for match in re.finditer(r"(?<![\w.'])(\d+)(?![\w.'])", bare):
             if bare[:match.start()].rstrip().endswith("<") and is_template:
                 continue
+            # The exponent of a constant, which is one number.
+            if re.search(r"\d\.?e[-+]$", bare[:match.start()]):
+                continue
             # One element more than an array is given is zero, and nobody asks for it.
             if re.search(r"\barray<[^<>]*, $", bare[:match.start()]):
                 continue
@@ -136,7 +139,7 @@ def faults_of(file, text):
                 plant("dropped statement", begin, len(line), "")
                 if not bare.lstrip().startswith("("):
                     plant("early return", begin, begin, "return; ")
-        for match in re.finditer(r"\b(?!(?:if|for|while|switch|return|min|max|minmax|clamp|dot|distance|hypot|fma|angle_between)\b)\w+\((\w+(?:\.\w+)*), (\w+(?:\.\w+)*)(?=[,)])", bare):
+        for match in re.finditer(r"\b(?!(?:if|for|while|switch|return|min|max|minmax|clamp|dot|distance|hypot|fma|angle_between|swap)\b)\w+\((\w+(?:\.\w+)*), (\w+(?:\.\w+)*)(?=[,)])", bare):
             a, b = match.group(1), match.group(2)
             if a != b and not (a.isdigit() and b.isdigit()):
                 plant("swapped arguments", match.start(1), match.end(2), f"{b}, {a}")
