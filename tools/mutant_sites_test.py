@@ -68,7 +68,8 @@ class Planted(unittest.TestCase):
         self.has("g(a, b);", "swapped arguments", "g(b, a);")
         for call in ("min", "minmax", "fma", "swap"):
             self.assertNotIn("swapped arguments", [kind for kind, _ in planted(f"x = std::{call}(a, b);")])
-        self.assertEqual(planted("points.reserve(a);"), [])
+        for line in ("points.reserve(a);", "line_->points.reserve(count + 1);", "all[0].reserve(2 * f(a, b));"):
+            self.assertEqual(planted(line), [], line)
         self.assertNotIn("off by one", [kind for kind, _ in planted("std::array<int, 6> names;")])
 
     def test_what_is_not_code_is_left_alone(self):

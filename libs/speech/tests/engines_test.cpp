@@ -55,10 +55,10 @@ VoiceChoice choice_of(VoiceKind kind) {
 }
 
 TEST(SpeechPlaces, AreThoseOfTheSystemInTheirOrder) {
-  const Variable path("PATH", "/a/b::relative:/c");
+  const Variable path("PATH", "/a/b::r:/c");
   const Variable data("XDG_DATA_HOME", "/home/of/data");
   const SpeechPlaces places = SpeechPlaces::of_system();
-  EXPECT_THAT(places.programs, ElementsAre("/a/b", "relative", "/c"));
+  EXPECT_THAT(places.programs, ElementsAre("/a/b", "r", "/c"));
   EXPECT_THAT(places.voices, ElementsAre("/home/of/data/nazori/voices", "/usr/local/share/hts-voice",
                                          "/usr/share/hts-voice"));
   EXPECT_EQ(places.recordings, "/home/of/data/nazori/sounds");
@@ -104,6 +104,8 @@ TEST(Engines, EachIsToldTheSameWordsEachTime) {
                                              installed.path("voices/a/b/mei.htsvoice").string() +
                                              "|-ow|/dev/stdout|");
   EXPECT_EQ(installed.input(), "イヌ\n");
+  (void)Voices(installed.places(), choice_of(VoiceKind::open_jtalk)).speak("こーひー、");
+  EXPECT_EQ(installed.input(), "コーヒー\n") << "a mark of both syllabaries stays";
   std::filesystem::remove(installed.path("bin/open_jtalk"));
   EXPECT_EQ(
       told(VoiceKind::automatic),
@@ -143,6 +145,7 @@ TEST(Engines, EachHasItsNameItsKindAndItsSourceOrSaysWhatIsMissing) {
     EXPECT_EQ(Voices(installed.places(), choice_of(found[i].kind)).speak("か")->source, std::get<1>(all[i]));
   }
   EXPECT_EQ(voice_named("automatic"), VoiceKind::automatic);
+  EXPECT_EQ(name_of(static_cast<VoiceKind>(kVoiceKinds.size())), "");
 }
 
 TEST(OpenJtalk, TakesTheFirstVoiceByNameAndTheFirstDictionaryThatIsOne) {
@@ -212,6 +215,7 @@ TEST(SpeechDispatcher, IsAskedForAJapaneseVoiceOfAnyModuleButEspeak) {
   const StandInVoices silent;
   silent.add_program("spd-say", "exit 1");
   EXPECT_FALSE(find_dispatcher_beyond_espeak(silent.places()));
+  EXPECT_EQ(find_dispatcher_beyond_espeak({}).error().where, "Speech Dispatcher");
 }
 
 TEST(Voices, ThatWriteMoreThanASoundFileMayHoldAreEnded) {
@@ -252,6 +256,13 @@ TEST(Voices, ASoundThatAnotherVoiceGaveForAFileIsNotKept) {
   const auto spoken = voices.speak("いぬ");
   EXPECT_EQ(spoken->source, "speech-dispatcher");
   EXPECT_FALSE(spoken->is_cached);
+}
+
+TEST(Voices, AVoiceThatGivesASoundGivesItForAFileToo) {
+  const StandInVoices installed;
+  installed.add_espeak();
+  installed.add_open_jtalk();
+  EXPECT_EQ(Voices(installed.places()).speak("いぬ", true)->source, "open-jtalk");
 }
 
 TEST(Voices, ARecordingAndAVoiceOfTheSameKanaAreKeptApart) {
@@ -313,6 +324,8 @@ TEST(Recordings, AreLookedForInTheOrderOfTheirEndingsAndAreFiles) {
   installed.add_file("sounds/き\u3099く.wav");
   installed.add_file("sounds/ひ\u3099.wav");
   installed.add_file("sounds/ひ\u309A.wav");
+  installed.add_file("sounds/コーヒー.wav");
+  EXPECT_EQ(recording_of(folder, "こーひー"), folder / "コーヒー.wav");
   EXPECT_EQ(recording_of(folder, "ぎく"), folder / "き\u3099く.wav");
   EXPECT_EQ(recording_of(folder, "び"), folder / "ひ\u3099.wav");
   EXPECT_EQ(recording_of(folder, "ぴ"), folder / "ひ\u309A.wav");
