@@ -224,8 +224,6 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     sample.proxy_m = device_m;
     if (scene == nullptr) {
       contact.free_at(device_m);
-      soft.forget();
-      snap.forget();
     } else {
       contact.update(scene->surface, device_m, scene->friction_at(contact.proxy_m()));
       if (pushed_through) {
@@ -266,7 +264,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     sample.force_n = limiter.limit(wanted, period_s);
   }
 
-  sample.touching = fine && from.present && touching();
+  sample.touching = touching();
   const bool guided = scene != nullptr && scene->guide.mode != GuidingMode::off;
   sample.stroke = !guided ? snap.stroke() : guidance.writing() ? guidance.stroke() : 0;
   if (!fine || !from.present || !guided) sample.guide_m = sample.device_m;

@@ -222,14 +222,28 @@ TEST(GuidanceState, TheTeacherSlowsDownInTheLastQuarterOfItsLead) {
   Tip tip(GuidingMode::lead);
   tip.write(0, 0.03);
   double target = tip.guidance.guide_m().x;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 400; ++i) {
     tip.at({0.03, 0, -kDepth_m}, {0.05, 0, 0});
     const double lead = (target - 0.03) / 0.008;
     const double step = std::clamp(4 * (1 - lead), 0.0, 1.0) * tip.plan.speed_m_s(1, target) * kTick_s;
     ASSERT_NEAR(tip.guidance.guide_m().x, target + step, 1e-12) << i;
     target = tip.guidance.guide_m().x;
   }
-  EXPECT_GT(target, 0.03 + 0.75 * 0.008) << "far enough to have slowed down";
+  EXPECT_GT(target, 0.03 + 0.95 * 0.008) << "far enough to have slowed down";
+}
+
+// Writing begins with an allowance of 2 N x 7 mm = 14 mJ; each step of the teacher adds to it.
+TEST(GuidanceState, ATeacherMayDoTheWorkOfTheWholeWay) {
+  Tip tip(GuidingMode::lead);
+  tip.write(0, 0.005);
+  tip.granted_j = 0;
+  double work = 0;
+  for (double x = 0.005; x < 0.055; x += 4e-5) {
+    work += tip.guidance.force_n().x * 4e-5;
+    tip.at({x + 4e-5, 0, -kDepth_m}, {0.04, 0, 0});
+  }
+  EXPECT_GT(work, 0.02);
+  EXPECT_NEAR(tip.granted_j, work, 1e-6);
 }
 
 TEST(GuidancePlan, StrokesWithoutPointsArePassedOver) {

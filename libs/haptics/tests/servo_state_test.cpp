@@ -57,7 +57,10 @@ TEST(ServoState, WhoPushedThroughFeelsNothingUntilOutside) {
   scene->material.popthrough = 0.3;  // 0.99 N: 2.5 mm deep
   hand.servo.set_scene(scene);
   hand.rest(kAbove, 400);
-  hand.go(kAbove, {0, 0, -0.003}, 100);
+  for (double z = 0; z > -0.003; z -= 1e-5) {
+    hand.at({0, 0, z});
+    ASSERT_EQ(hand.servo.latest().proxy_m.z, z > -0.99 / 400 ? 0 : z) << "at once";
+  }
   for (int i = 0; i <= 100; ++i) {
     EXPECT_EQ(hand.at({0, 0, -0.003 + 0.0029 * i / 100}), Vec3(0)) << i;
     EXPECT_FALSE(hand.servo.latest().touching);
@@ -93,6 +96,14 @@ TEST(ServoState, NeitherAnAbsentPenNorAFaultLeavesSpeedBehind) {
       hand.at(kPressed, false);
     EXPECT_NEAR(hand.at(kPressed).z, kPress_n * kRamp, 1e-12) << "the spring alone, ramping in";
   }
+}
+
+TEST(ServoState, AfterAFaultTheWayFromBeforeItIsNoSpeed) {
+  Hand hand;
+  hand.servo.set_scene(damped());
+  hand.rest(kAbove, 400);
+  hand.at({0, 0, kNan});
+  EXPECT_NEAR(hand.at(kPressed).z, kPress_n * kRamp, 1e-12);
 }
 
 TEST(ServoState, ARunThatBeginsAgainIsNeitherLateNorMoving) {
@@ -136,6 +147,47 @@ TEST(ServoState, AHandThatIsPulledFromAStrokeAndComesBackIsNotBraked) {
     const Vec3 at = off + (on - off) * (i / 300.0);
     ASSERT_NEAR(hand.at(at).y, -100 * at.y, 1e-9) << i;
   }
+}
+
+TEST(ServoState, WhatAHandPutsIntoASpringComesBackWhole) {
+  DeviceDescription device;
+  device.limits.own_damping_n_s_m = 1;
+  device.limits.max_damping_n_s_m = 50;
+  for (const bool soft : {false, true}) {
+    Hand hand(device);
+    hand.servo.set_scene(soft ? brush() : flat().scene());
+    hand.rest(kAbove, 400);
+    for (int i = 1; i <= 600; ++i) {
+      const double depth = 0.001 * (i <= 300 ? i : 600 - i) / 300;
+      const Vec3 force = hand.at({0, 0, -depth});
+      ASSERT_NEAR(force.z, (soft ? 20 : 400) * depth, 1e-9) << i;
+    }
+  }
+}
+
+TEST(ServoState, AnotherSurfaceUnderAPressedStylusLeavesItInItsPlace) {
+  const Relief other(64, 0.01, plate);
+  Hand hand;
+  const auto rough = [](const Relief& relief) {
+    auto scene = relief.scene();
+    scene->material.static_friction = scene->material.dynamic_friction = 0.5;
+    return scene;
+  };
+  hand.servo.set_scene(rough(flat()));
+  hand.rest({0.01, 0.03, 0.005}, 10);
+  hand.go({0.01, 0.03, 0.005}, {0.01, 0.03, -0.001}, 50);
+  hand.servo.set_scene(rough(other));
+  hand.at({0.01, 0.03, -0.001});
+  EXPECT_NEAR(hand.servo.latest().proxy_m.x, 0.01, 1e-9);
+  EXPECT_NEAR(hand.servo.latest().proxy_m.y, 0.03, 1e-9);
+}
+
+TEST(ServoState, WithoutASceneNothingIsEverDone) {
+  Hand hand;
+  hand.rest(kAbove, 3);
+  EXPECT_EQ(hand.servo.latest().done_stroke, 0);
+  EXPECT_EQ(hand.servo.latest().stroke, 0);
+  EXPECT_EQ(hand.servo.latest().events, 0);
 }
 
 TEST(ServoState, AnAbsentPenIsOnNoStroke) {
