@@ -65,6 +65,9 @@ def faults_of(file, text):
             continue
         if not bare.strip() or SKIPPED_LINE.match(bare) or "static_assert" in bare or "kTr" in bare:
             continue
+        # Memory asked for in advance changes only how long it takes.
+        if re.match(r"\s*[\w.\->\[\]]+\breserve\(.*\);", bare):
+            continue
 
         def plant(kind, begin, end, instead):
             found.append(Fault(file, number, kind, line, line[:begin] + instead + line[end:]))
@@ -86,6 +89,9 @@ def faults_of(file, text):
             plant("sign", match.start(), match.end(), "")
         for match in re.finditer(r"(?<![\w.'])(\d+)(?![\w.'])", bare):
             if bare[:match.start()].rstrip().endswith("<") and is_template:
+                continue
+            # The exponent of a constant, which is one number.
+            if re.search(r"\d\.?e[-+]$", bare[:match.start()]):
                 continue
             # One element more than an array is given is zero, and nobody asks for it.
             if re.search(r"\barray<[^<>]*, $", bare[:match.start()]):
@@ -127,16 +133,14 @@ def faults_of(file, text):
                 begin = bare.index("(") + 1
                 if not re.search(r";", bare[begin:closing]):
                     plant("dropped check", begin, closing, "false")
-        # Memory asked for in advance changes only how long it takes.
-        reserves = ".reserve(" in bare
-        if STATEMENT.match(bare) and not reserves and not DECLARATION.match(bare) and not re.match(r"^\s*(return|break|continue|throw|case|else|delete)\b", bare):
+        if STATEMENT.match(bare) and not DECLARATION.match(bare) and not re.match(r"^\s*(return|break|continue|throw|case|else|delete)\b", bare):
             previous = bares[number - 2].rstrip() if number > 1 else ""
             if previous.endswith((";", "{", "}", ":")) or not previous.strip():
                 begin = len(line) - len(line.lstrip())
                 plant("dropped statement", begin, len(line), "")
                 if not bare.lstrip().startswith("("):
                     plant("early return", begin, begin, "return; ")
-        for match in re.finditer(r"\b(?!(?:if|for|while|switch|return|min|max|minmax|clamp|dot|distance|hypot|fma|angle_between)\b)\w+\((\w+(?:\.\w+)*), (\w+(?:\.\w+)*)(?=[,)])", bare):
+        for match in re.finditer(r"\b(?!(?:if|for|while|switch|return|min|max|minmax|clamp|dot|distance|hypot|fma|angle_between|swap)\b)\w+\((\w+(?:\.\w+)*), (\w+(?:\.\w+)*)(?=[,)])", bare):
             a, b = match.group(1), match.group(2)
             if a != b and not (a.isdigit() and b.isdigit()):
                 plant("swapped arguments", match.start(1), match.end(2), f"{b}, {a}")

@@ -46,6 +46,8 @@ class Planted(unittest.TestCase):
         self.has("x = 60'000;", "constant", "x = 84000;")
         self.has("constexpr double kMost_n = 250;", "constant", "constexpr double kMost_n = 350;")
         self.has("x = 0.0;", "constant", "x = 1.0;")
+        for number in ("1e-9", "2.5e-9", "1e+9"):
+            self.assertEqual([kind for kind, _ in planted(f"return {number};")], ["constant"], number)
 
     def test_a_check_is_dropped(self):
         self.has("return a && b || c;", "dropped check", "return a || c;")
@@ -64,9 +66,10 @@ class Planted(unittest.TestCase):
 
     def test_arguments_change_places(self):
         self.has("g(a, b);", "swapped arguments", "g(b, a);")
-        for call in ("min", "minmax", "fma"):
+        for call in ("min", "minmax", "fma", "swap"):
             self.assertNotIn("swapped arguments", [kind for kind, _ in planted(f"x = std::{call}(a, b);")])
-        self.assertEqual(planted("points.reserve(a);"), [])
+        for line in ("points.reserve(a);", "line_->points.reserve(count + 1);", "all[0].reserve(2 * f(a, b));"):
+            self.assertEqual(planted(line), [], line)
         self.assertNotIn("off by one", [kind for kind, _ in planted("std::array<int, 6> names;")])
 
     def test_what_is_not_code_is_left_alone(self):

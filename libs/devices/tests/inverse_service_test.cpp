@@ -93,6 +93,11 @@ TEST_F(Inverse3, GripButtonsRateAndDelayAreSeen) {
   service->button_b = true;
   EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 2U; }));
   EXPECT_TRUE(comes_true([&] { return device.device->status().delay_s > 0; }));
+  service.reset();
+  EXPECT_TRUE(comes_true([&] {
+    const haptics::DeviceStatus now = device.device->status();
+    return now.trouble == DeviceTrouble::service_gone && now.buttons == 0;
+  })) << "a service that is gone holds no button down";
 }
 
 TEST_F(Inverse3, TheForceIsHeldToTheCap) {

@@ -420,6 +420,17 @@ TEST_F(Pantograph2diy, WhatDoesNotAnswerAsABoardIsRefusedInOneSentence) {
   EXPECT_EQ(pantograph_back_end(nowhere)->find().problem->trouble, DeviceTrouble::device_absent);
 }
 
+TEST_F(Pantograph2diy, AHandMayKnockTheArmsByTwentyDegreesWhileItIsOpened) {
+  for (const double knocked : {19.5, 20.5, -19.5, -20.5}) {
+    board.knocked_deg = knocked;
+    const auto device = pantograph_back_end(settings())->open("pantograph", {});
+    EXPECT_EQ(bool(device), std::abs(knocked) < 20) << knocked;
+    if (!device) {
+      EXPECT_EQ(device.error().error.what, "its board answers with angles that it was not given");
+    }
+  }
+}
+
 TEST_F(Pantograph2diy, AnUnusableCalibrationIsRefusedBeforeTheBoardIsTouched) {
   OpenRequest request;
   request.calibration.emplace();

@@ -38,7 +38,6 @@ void Guidance::offer(const GuidancePlan& plan, std::int32_t from) noexcept {
   stroke_ = plan.stroke_from(from);
   reached_ = 0;
   stopped_ = false;
-  new_way_ = true;
   gain_ = resisted_s_ = pulled_back_s_ = 0;
 }
 
@@ -74,7 +73,6 @@ void Guidance::stop() noexcept {
   mark(ServoEvent::resisted);
   stopped_ = true;
   stopped_at_ = 0;
-  resisted_s_ = pulled_back_s_ = 0;
 }
 
 void Guidance::see_whether_down(const GuidancePlan& plan, const Input& in) noexcept {
@@ -137,7 +135,7 @@ void Guidance::update(const GuidancePlan& plan, const Settings& settings, const 
   events_ = 0;
   done_ = 0;
   guide_ = in.device_m;
-  book(settings, known_ ? in.device_m - last_ : Vec3(0));
+  book(settings, in.device_m - last_);
 
   const bool was_writing = writing_;
   see_whether_down(plan, in);

@@ -123,7 +123,7 @@ class Guidance {
 
   // The tip.
   Vec3 last_{0, 0, 0};
-  bool known_ = false;  // last_ is the previous position of the tip
+  bool known_ = false;  // last_ is the previous position of the tip; else there is no force
   bool down_ = false;
   bool must_lift_ = false;  // after a stroke, before the next
   bool astray_ = false;     // the tip is down in a wrong place

@@ -127,10 +127,9 @@ Vec3 Guidance::carry(const GuidancePlan& plan, const Settings& settings, const I
   const Vec3& p = in.device_m;
   const StrokeIndex::Hit entry = plan.lines().at_length(stroke_, reached_);
   const Vec3 across{entry.point.x - p.x, entry.point.y - p.y, 0};
-  const bool up_first = must_lift_ || astray_;
   // Moves down only within reach of the start, so that the tip does not land beside it.
   const double near = start_reach_m(plan.length_m(stroke_));
-  const double over = up_first ? 0.0 : smooth((near - glm::length(across)) / ((1 - kOver) * near));
+  const double over = must_lift_ ? 0.0 : smooth((near - glm::length(across)) / ((1 - kOver) * near));
   const double bottom = plan.depth_m(entry);
   guide_ = {entry.point.x, entry.point.y, kHover_m + over * (bottom - kHover_m)};
   const double most = kCarry * cap;

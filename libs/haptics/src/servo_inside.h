@@ -34,7 +34,7 @@ struct Servo::Inside {
   Vec3 step(const DeviceSample& sample) noexcept;
   void record() noexcept;
   void adopt_scene() noexcept;
-  Vec3 fault(const DeviceSample& sample) noexcept;
+  void fault(const DeviceSample& sample) noexcept;
   void absent(const DeviceSample& sample) noexcept;
   void place_proxy(const Vec3& device_m) noexcept;
   Vec3 contact_force(const Vec3& device_m) noexcept;

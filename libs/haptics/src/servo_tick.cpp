@@ -95,7 +95,7 @@ void Servo::Inside::adopt_scene() noexcept {
 }
 
 /// Invalid input: no force, and the newest valid pose is kept for display.
-Vec3 Servo::Inside::fault(const DeviceSample& from) noexcept {
+void Servo::Inside::fault(const DeviceSample& from) noexcept {
   mark(sample.events, ServoEvent::fault);
   if (usable(from)) {
     sample.device_m = from.position_m;
@@ -105,7 +105,6 @@ Vec3 Servo::Inside::fault(const DeviceSample& from) noexcept {
     started = false;
   }
   lose_hold(false);
-  return Vec3(0);
 }
 
 void Servo::Inside::absent(const DeviceSample& from) noexcept {
@@ -206,7 +205,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
   if (std::isfinite(from.time_s)) sample.time_s = from.time_s;
 
   if (!fine) {
-    (void)fault(from);
+    fault(from);
   } else if (!from.present) {
     absent(from);
     last_time_s = from.time_s;
@@ -225,8 +224,6 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     sample.proxy_m = device_m;
     if (scene == nullptr) {
       contact.free_at(device_m);
-      soft.forget();
-      snap.forget();
     } else {
       contact.update(scene->surface, device_m, scene->friction_at(contact.proxy_m()));
       if (pushed_through) {
@@ -267,7 +264,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     sample.force_n = limiter.limit(wanted, period_s);
   }
 
-  sample.touching = fine && from.present && touching();
+  sample.touching = touching();
   const bool guided = scene != nullptr && scene->guide.mode != GuidingMode::off;
   sample.stroke = !guided ? snap.stroke() : guidance.writing() ? guidance.stroke() : 0;
   if (!fine || !from.present || !guided) sample.guide_m = sample.device_m;

@@ -55,8 +55,6 @@ void StrokeConstraint::update(const StrokeIndex& index, const Settings& settings
     weight_ = std::max(0.0, weight_ - step);
     const double most = weight_ * ceiling_;
     force_ = pull > 0 ? spring * std::min(weight_, most / pull) : Vec3(0);
-  } else {
-    force_ = Vec3(0);
   }
 }
 

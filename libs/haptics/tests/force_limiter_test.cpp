@@ -208,5 +208,62 @@ TEST(Passivity, LeavesAPassiveSpringAlone) {
   }
 }
 
+TEST(ForceLimiter, WithoutAContinuousForceThePeakStillHolds) {
+  DeviceLimits limits;
+  limits.continuous_force_n = 0;
+  limits.max_force_n = 3;
+  limits.max_slew_n_s = 1e9;
+  ForceLimiter limiter(limits);
+  Vec3 force(0);
+  for (int i = 0; i < 400; ++i) force = limiter.limit({0, 0, 50}, kTick_s);
+  EXPECT_NEAR(force.z, 3, 1e-9);
+  EXPECT_EQ(limiter.heat(), 0);
+}
+
+TEST(ForceLimiter, ASmallContinuousForceHasItsHeat) {
+  DeviceLimits limits;
+  limits.continuous_force_n = 0.5;
+  ForceLimiter limiter(limits);
+  for (int i = 0; i < 400; ++i) (void)limiter.limit({0, 0, 0.5}, kTick_s);
+  EXPECT_GT(limiter.heat(), 0.001);
+}
+
+TEST(ForceLimiter, AMillionNewtonsIsNoForce) {
+  for (const double newtons : {0.99e6, 1.01e6}) {
+    ForceLimiter limiter{DeviceLimits{}};
+    (void)limiter.limit({0, 0, 1}, kTick_s);
+    EXPECT_EQ(limiter.limit({0, newtons, 0}, kTick_s) == Vec3(0), newtons > 1e6);
+    EXPECT_EQ(limiter.ramp() == 0, newtons > 1e6);
+  }
+}
+
+TEST(Passivity, TheDelayCountsInWholePeriodsFromTheHalfOn) {
+  // The force that acts now was commanded that many ticks ago.
+  for (const auto& [delay_s, ticks] :
+       {std::pair{-0.001, 0}, {0.0, 0}, {0.0004, 0}, {0.0006, 1}, {0.0013, 1}, {0.0016, 2}, {5.0, 32}}) {
+    DeviceLimits limits;
+    limits.own_damping_n_s_m = 0;
+    limits.delay_s = delay_s;
+    Passivity passivity{limits, kTick_s};
+    for (int i = 0; i < 40; ++i) {
+      passivity.observe({0, 0, -1e-6}, i == 0 ? Vec3(0, 0, 1) : Vec3(0), kTick_s, 1);
+      ASSERT_NEAR(passivity.energy_j(), i >= ticks ? 1e-6 : 0, 1e-18) << delay_s << ' ' << i;
+    }
+  }
+}
+
+TEST(Passivity, ForgetsItsDebtAndTheForcesUnderway) {
+  DeviceLimits limits;
+  limits.own_damping_n_s_m = 0;
+  limits.delay_s = 0.002;
+  Passivity passivity{limits, kTick_s};
+  for (int i = 0; i < 5; ++i) passivity.observe({0, 0, 0.001}, {0, 0, 1}, kTick_s, 1);
+  ASSERT_LT(passivity.energy_j(), 0);
+  passivity.forget();
+  EXPECT_EQ(passivity.energy_j(), 0);
+  for (int i = 0; i < 2; ++i) passivity.observe({0, 0, 0.001}, {0, 0, 1}, kTick_s, 1);
+  EXPECT_EQ(passivity.energy_j(), 0) << "what was commanded before no longer acts";
+}
+
 }  // namespace
 }  // namespace nazori::haptics

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <tuple>
+#include <utility>
 
 #include "relief.h"
 
@@ -305,6 +307,73 @@ TEST(ServoScene, ALessonGoesOnUnlessSomethingOfItIsAnother) {
   EXPECT_FALSE(goes_on([](HapticScene& s) { s.strokes[0].points[1].x = 0.021; }));
   const ServoScene empty{nullptr, strong(), 3, nullptr};
   EXPECT_EQ((ServoScene{first.from, strong(), 4, &empty}.lesson), 4U);
+}
+
+TEST(ServoScene, FrictionIsThatOfTheNearestSampleAndBeyondTheEdgeTheMaterials) {
+  // Samples 0.1 / 63 m apart; the upper left corner, the lower right one and one in between are zones.
+  Scene scene;
+  auto zones = std::make_shared<FrictionZones>();
+  zones->size = 64;
+  zones->zone.assign(64 * 64, 0);
+  zones->added = {0.1, 0.2, 0.3};
+  zones->zone[0] = 1;
+  zones->zone[63 * 64 + 63] = 2;
+  zones->zone[20 * 64 + 10] = 3;  // row 20, column 10
+  scene.from->friction_zones = zones;
+  const ServoScene made = scene.made();
+  const auto at = [&](double x, double y) { return made.friction_at({x, y, 0}).hold; };
+  constexpr double kStep = 0.1 / 63;
+  constexpr double kIn = 0.49 * kStep, kOut = 0.51 * kStep;
+  for (const auto& [x, y, hold] :
+       {std::tuple{-0.05, 0.05, 0.1}, {0.05, -0.05, 0.2}, {-0.05 + 10 * kStep, 0.05 - 20 * kStep, 0.3}}) {
+    EXPECT_EQ(at(x, y), hold);
+    for (const Vec3 way : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)}) {
+      EXPECT_EQ(at(x + kIn * way.x, y + kIn * way.y), hold);
+      EXPECT_EQ(at(x + kOut * way.x, y + kOut * way.y), 0);
+    }
+  }
+  for (const double far : {-1e9, 1e9, kNan}) {
+    EXPECT_EQ(at(far, 0), 0);
+    EXPECT_EQ(at(0, far), 0);
+  }
+}
+
+TEST(ServoScene, ZonesThatDoNotCoverTheSurfaceAreLeftOut) {
+  for (const std::size_t samples : {64U * 64U - 1, 64U * 64U, 64U * 64U + 1}) {
+    Scene scene;
+    auto zones = std::make_shared<FrictionZones>();
+    zones->size = 64;
+    zones->zone.assign(samples, 1);
+    zones->added = {0.5};
+    scene.from->friction_zones = zones;
+    EXPECT_EQ(scene.made().zones != nullptr, samples == 64 * 64);
+    scene.from->surface = nullptr;
+    EXPECT_EQ(scene.made().zones, nullptr) << "nothing to touch";
+  }
+}
+
+TEST(ServoScene, ASoftTipHasASheetInsteadOfASurface) {
+  Scene scene;
+  scene.from->soft_tip = std::make_shared<SoftTip>(SoftTip{0.005, {0, 0.1}});
+  const ServoScene made = scene.made();
+  EXPECT_FALSE(made.surface.exists());
+  EXPECT_TRUE(made.soft.exists());
+  EXPECT_EQ(made.soft_tip, scene.from->soft_tip.get());
+  EXPECT_EQ(made.stiffness_n_m, 0);
+  scene.from->soft_tip = std::make_shared<SoftTip>();  // without values there is no tip
+  EXPECT_FALSE(scene.made().soft.exists());
+  EXPECT_EQ(scene.made().soft_tip, nullptr);
+}
+
+TEST(ServoScene, NothingIsFeltWhereNothingWasGiven) {
+  const ServoScene none{nullptr, strong(), 3, nullptr};
+  EXPECT_EQ(none.lesson, 3U);
+  EXPECT_EQ(none.first_stroke, 1);
+  EXPECT_EQ(none.frictions.size(), 1U);
+  for (const double value : {none.stiffness_n_m, none.damping_n_s_m, none.popthrough_n, none.roughness,
+                             none.half_m, none.zones_per_m})
+    EXPECT_EQ(value, 0);
+  EXPECT_EQ(none.friction_at({0, 0, 0}).hold, 0);
 }
 
 }  // namespace

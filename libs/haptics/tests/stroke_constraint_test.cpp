@@ -270,5 +270,60 @@ TEST(StrokeConstraint, WhenTheStrokesGoItsPullFadesOut) {
   EXPECT_EQ(before, 0);
 }
 
+TEST(StrokeConstraint, WhileItFadesTheSamePlaceMayCatchAgainButNoOther) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
+  for (const double aside : {0.0, 0.0009, 0.0011, -0.0009, -0.0011}) {
+    StrokeConstraint snap;
+    rest(snap, index, {0.01, 0.009, 0}, 200);
+    rest(snap, index, {0.01, 0.0106, 0}, 1);
+    ASSERT_EQ(snap.stroke(), 0);
+    rest(snap, index, {0.01 + aside, 0.009, 0}, 1);
+    EXPECT_EQ(snap.stroke(), std::abs(aside) < 1e-3 ? 1 : 0) << aside;
+  }
+}
+
+TEST(StrokeConstraint, KnowsWhereItCaughtAtOnceAndNothingAfterLettingGo) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0}, 6)}, 0);
+  StrokeConstraint snap;
+  rest(snap, index, {0.012, 0.002, 0}, 1);
+  EXPECT_EQ(snap.segment(), 4);
+  EXPECT_EQ(snap.hit().segment, 4);
+  EXPECT_NEAR(snap.hit().along, 0.2, 1e-9);
+  EXPECT_NEAR(glm::length(snap.point_m() - Vec3(0.012, 0, 0)), 0, 1e-12);
+  snap.let_go();
+  EXPECT_EQ(snap.segment(), -1);
+}
+
+TEST(StrokeIndex, AStrokeOfOnePointIsAPlace) {
+  const std::vector<StrokePath> strokes{{{{0.01, 0.02, -0.003}}}, line({-0.03, 0, 0}, {0.03, 0, 0})};
+  const StrokeIndex index(strokes, 0);
+  const auto hit = index.nearest({0.01, 0.02, 0}, 0.01);
+  ASSERT_GE(hit.segment, 0);
+  EXPECT_EQ(index.stroke(hit.segment), 1);
+  EXPECT_EQ(hit.point, Vec3(0.01, 0.02, -0.003));
+  EXPECT_NEAR(hit.squared_m2, 9e-6, 1e-15);
+  EXPECT_EQ(hit.along, 0);
+  EXPECT_EQ(index.direction(hit.segment), Vec3(0));
+  const auto start = index.at_length(1, 0.5);
+  EXPECT_EQ(start.point, Vec3(0.01, 0.02, -0.003));
+  EXPECT_EQ(start.along, 0);
+  EXPECT_EQ(start.squared_m2, 0);
+}
+
+TEST(StrokeIndex, ThereIsNoPlaceOnAStrokeThatIsNotThere) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
+  for (const int stroke : {-1, 0, 2, 1000}) EXPECT_EQ(index.at_length(stroke, 0.01).segment, -1) << stroke;
+}
+
+TEST(StrokeIndex, AStrokeThatBeginsWithWhatIsNoNumberBeginsWithTheNextPoint) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Vec3 bad : {Vec3(nan, 0, 0), Vec3(0, nan, 0), Vec3(0, 0, nan)}) {
+    const StrokePath path{{bad, {0.01, 0, 0}, {0.03, 0, 0}}};
+    const StrokeIndex index(std::vector{path}, 0);
+    EXPECT_EQ(index.at_length(1, 0).point, Vec3(0.01, 0, 0));
+    EXPECT_NEAR(index.stroke_length_m(0), 0.02, 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace nazori::haptics

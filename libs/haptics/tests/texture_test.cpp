@@ -143,5 +143,30 @@ TEST(Texture, IsFeltSidewaysWhileTheProxyStaysOnTheTrueSurface) {
   }
 }
 
+TEST(Texture, TiltsThePushAgainstTheSlopeOnASurfaceOfAnyTilt) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 normal = glm::normalize(Vec3(any(random), any(random), 1));
+    const Vec3 at{0.05 * any(random), 0.05 * any(random), 0};
+    const Vec3 force = 2.0 * normal + 0.1 * Vec3(any(random), any(random), any(random));
+    const double push = glm::dot(force, normal);
+    // The part of the slope that lies in the surface.
+    const Vec3 slope = 0.8 * texture_slope(Texture::stone, at.x, at.y);
+    const Vec3 along = slope - glm::dot(slope, normal) * normal;
+    const Vec3 added = textured(force, normal, at, Texture::stone, 0.8) - force;
+    const double size = std::sqrt(1 + glm::dot(along, along));
+    EXPECT_LT(glm::length(added - push * ((normal - along) / size - normal)), 1e-12);
+  }
+}
+
+TEST(Texture, WhatDoesNotPushIsNotTilted) {
+  const Vec3 normal{0, 0, 1}, at{0.0123, 0.004, 0};
+  for (const Vec3 force : {Vec3(0.1, 0, 0), Vec3(0.1, 0.2, -1)})
+    EXPECT_EQ(textured(force, normal, at, Texture::stone, 1), force);
+  EXPECT_NE(textured({0.1, 0, 1}, normal, at, Texture::stone, 1), Vec3(0.1, 0, 1));
+  EXPECT_EQ(textured({0.1, 0, 1}, normal, at, Texture::stone, 0), Vec3(0.1, 0, 1));
+}
+
 }  // namespace
 }  // namespace nazori::haptics

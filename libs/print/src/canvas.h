@@ -75,7 +75,7 @@ class Canvas {
   std::string content_;
 };
 
-/// A number with three decimals at most.
+/// A number with two decimals at most.
 [[nodiscard]] std::string number(double value);
 /// "1 0 0 1 0 0 cm" and the like in points, for a square of glyph units at a place of a page.
 [[nodiscard]] std::string square_matrix(const Rect& square, double page_height_mm);

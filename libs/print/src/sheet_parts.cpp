@@ -137,19 +137,6 @@ Facts facts_of(const kanji::Character& character) {
   return facts;
 }
 
-std::u32string fitting(Fonts& fonts, const std::vector<std::u32string>& entries, std::u32string_view between,
-                       double most) {
-  std::u32string text;
-  for (const std::u32string& entry : entries) {
-    std::u32string longer = text;
-    if (!longer.empty()) longer += between;
-    longer += entry;
-    if (fonts.width(longer) > most) break;
-    text = std::move(longer);
-  }
-  return text;
-}
-
 std::u32string cut(Fonts& fonts, std::u32string text, double most) {
   if (fonts.width(text) <= most) return text;
   while (!text.empty() && fonts.width(text + U"…") > most) text.pop_back();

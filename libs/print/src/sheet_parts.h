@@ -19,7 +19,6 @@ class Flow {
   Flow(const Rect& area, bool vertical) : area_(area), vertical_(vertical) {}
   [[nodiscard]] double length() const { return vertical_ ? area_.height : area_.width; }
   [[nodiscard]] double depth() const { return vertical_ ? area_.width : area_.height; }
-  [[nodiscard]] bool is_vertical() const { return vertical_; }
   [[nodiscard]] Rect rect(double along, double across, double length, double depth) const {
     if (vertical_) return {area_.x + area_.width - across - depth, area_.y + along, depth, length};
     return {area_.x + along, area_.y + across, length, depth};
@@ -54,9 +53,6 @@ struct Facts {
 };
 [[nodiscard]] Facts facts_of(const kanji::Character& character);
 
-/// As much of a list as fits, whole entries only. @param most  width in ems.
-[[nodiscard]] std::u32string fitting(Fonts& fonts, const std::vector<std::u32string>& entries,
-                                     std::u32string_view between, double most);
 /// A text cut where it does not fit.
 [[nodiscard]] std::u32string cut(Fonts& fonts, std::u32string text, double most);
 

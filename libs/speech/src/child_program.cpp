@@ -26,9 +26,7 @@ constexpr std::size_t kMostComplaint = 400;  ///< bytes of standard error that a
 class Fd {
  public:
   explicit Fd(int fd) : fd_(fd) {}
-  ~Fd() {
-    if (fd_ >= 0) ::close(fd_);
-  }
+  ~Fd() { ::close(fd_); }  // does nothing with -1
   Fd(const Fd&) = delete;
   Fd& operator=(const Fd&) = delete;
   [[nodiscard]] int get() const { return fd_; }
@@ -45,28 +43,16 @@ std::size_t size_of(const Fd& fd) {
   return ::fstat(fd.get(), &found) == 0 ? static_cast<std::size_t>(found.st_size) : 0;
 }
 
+// Files in memory are read and written whole by one call.
 std::vector<std::uint8_t> content_of(const Fd& fd, std::size_t most) {
   std::vector<std::uint8_t> bytes(std::min(size_of(fd), most));
-  std::size_t at = 0;
-  while (at < bytes.size()) {
-    const ssize_t got = ::pread(fd.get(), bytes.data() + at, bytes.size() - at, static_cast<off_t>(at));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) break;
-    at += static_cast<std::size_t>(got);
-  }
-  bytes.resize(at);
+  const ssize_t got = ::pread(fd.get(), bytes.data(), bytes.size(), 0);
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
   return bytes;
 }
 
 bool fill(const Fd& fd, std::string_view text) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const ssize_t put = ::pwrite(fd.get(), text.data() + at, text.size() - at, static_cast<off_t>(at));
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return false;
-    at += static_cast<std::size_t>(put);
-  }
-  return true;
+  return ::pwrite(fd.get(), text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
 }
 
 /// The settings of posix_spawn, given back when this ends.
@@ -80,7 +66,6 @@ struct SpawnSettings {
     posix_spawnattr_setsigmask(&attributes, &signals);
     sigaddset(&signals, SIGPIPE);
     posix_spawnattr_setsigdefault(&attributes, &signals);
-    posix_spawnattr_setpgroup(&attributes, 0);
     posix_spawnattr_setflags(&attributes,
                              POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
@@ -112,8 +97,7 @@ End wait_for(pid_t process, const ChildProgram& child, const Fd& output,
   const auto begin = std::chrono::steady_clock::now();
   auto end = End::by_itself;
   while (true) {
-    const pid_t ended = ::waitpid(process, &status, WNOHANG);
-    if (ended == process || (ended < 0 && errno != EINTR)) return end;
+    if (::waitpid(process, &status, WNOHANG) != 0) return end;
     if (size_of(output) > child.most_output)
       end = End::too_much;
     else if (is_wanted && !is_wanted())

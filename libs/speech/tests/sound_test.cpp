@@ -25,6 +25,9 @@ TEST(SoundFile, KeepsTheSoundInSixteenBits) {
   const auto wav = to_wav(tone);
   ASSERT_TRUE(wav);
   EXPECT_EQ(wav->size(), 44 + 2 * tone.samples.size());
+  std::uint32_t length = 0;
+  std::memcpy(&length, wav->data() + 40, 4);
+  EXPECT_EQ(length, 2 * tone.samples.size()) << "the head is finished when the file is closed";
   const auto back = decode_sound(*wav);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->rate_hz, 22'050);
@@ -42,6 +45,7 @@ TEST(SoundFile, LimitsWhatIsTooLoudAndHasNothingOfNothing) {
   EXPECT_NEAR(back->samples[1], -1, 1e-3);
   EXPECT_FALSE(to_wav({8000, {}}));
   EXPECT_FALSE(to_wav({0, {1.0F}}));
+  EXPECT_TRUE(to_wav({1, {1.0F}}));
 }
 
 /// Writes a sound file of 8,000 frames a second. @param format  as in libsndfile.
@@ -96,6 +100,7 @@ TEST(SoundFile, IsRefusedWhereItIsNoneIsEmptyOrLastsTooLong) {
   EXPECT_EQ(decode_sound({}).error().code, base::Errc::parse);
   const std::vector<std::uint8_t> text{'R', 'I', 'F', 'F', 'x'};
   EXPECT_EQ(decode_sound(text).error().code, base::Errc::parse);
+  EXPECT_EQ(decode_sound(text).error().what, "is no sound file that can be read");
   auto empty = *to_wav({8000, {0.5F}});
   empty.resize(44);
   EXPECT_EQ(decode_sound(empty).error().what, "has no sound in it");

@@ -85,5 +85,32 @@ TEST(Speaker, StopsAVoiceThatIsStillAtWork) {
   EXPECT_THAT(heard, ElementsAre("い"));
 }
 
+TEST(Speaker, CountsItsRequestsFromOneAndNamesThemInItsAnswers) {
+  const StandInVoices installed;
+  base::Inbox inbox;
+  Speaker speaker(inbox, installed.places());
+  std::vector<std::uint64_t> failed;
+  speaker.failed.connect([&](std::uint64_t number, const base::Error&) { failed.push_back(number); });
+  EXPECT_EQ(speaker.speak("か"), 1U);
+  inbox.run_until([&] { return failed.size() == 1; });
+  EXPECT_EQ(speaker.speak("き"), 2U);
+  inbox.run_until([&] { return failed.size() == 2; });
+  EXPECT_THAT(failed, ElementsAre(1U, 2U));
+}
+
+TEST(Speaker, SaysWhyThereIsNoVoice) {
+  const StandInVoices installed;
+  base::Inbox inbox;
+  Speaker speaker(inbox, installed.places());
+  std::optional<base::Errc> why;
+  speaker.voice_found.connect([&](const base::Result<VoiceState>& voice) {
+    if (!voice) why = voice.error().code;
+  });
+  speaker.find_voice();
+  EXPECT_FALSE(speaker.is_busy()) << "nobody asked for speech";
+  inbox.run_until([&] { return why.has_value(); });
+  EXPECT_EQ(why, base::Errc::not_found);
+}
+
 }  // namespace
 }  // namespace nazori::speech

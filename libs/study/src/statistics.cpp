@@ -17,12 +17,6 @@ constexpr double kMatureDays = 21;
 constexpr std::size_t kMostHardStrokes = 100;
 constexpr int kForgiveness = 7;
 
-/// The circumstances of a review.
-struct Before {
-  Day last_day;
-  double stability;
-};
-
 /// Computes all sums in one pass over the log.
 class Summing {
  public:

@@ -39,6 +39,18 @@ TEST(HiddenLines, ALineThatLeavesTheCrowdIsDrawn) {
   EXPECT_EQ(lines[put_hidden_last(lines, kShape) - 1].stroke, leaves.stroke);
 }
 
+TEST(HiddenLines, FourAreDrawnWhicheverWayTheyRun) {
+  for (const glm::vec2 way : {glm::vec2(-1, 0), {0, 1}, {0, -1}}) {
+    const glm::vec2 aside(-way.y, way.x);
+    std::vector<LinePiece> lines(60'000, {-0.03F * way, 0.03F * way, 1});
+    lines.push_back({-0.01F * way, 0.02F * way, 2});                   // covered in each cell
+    lines.push_back({0.005F * way, 0.005F * way + 0.01F * aside, 3});  // leaves the crowd
+    const std::size_t shown = put_hidden_last(lines, kShape);
+    ASSERT_EQ(shown, 5U) << way.x << ' ' << way.y;
+    EXPECT_EQ(lines[shown - 1].stroke, 3);
+  }
+}
+
 TEST(HiddenLines, OfACharacterAllAreDrawn) {
   auto lines = bundle_and_one(40'000, {{0, 0}, {0, 0}, 1e6F});
   EXPECT_EQ(put_hidden_last(lines, kShape), lines.size());

@@ -158,7 +158,7 @@ struct PantographBoard::Inside {
       encoder_of.at(port) = id;
       steps_per_turn.at(port) = number_at(numbers, at + 4);
       steps_at_setup.at(port) = std::trunc(number_at(numbers, at) * steps_per_turn.at(port) / 360);
-      arm_at_setup.at(port) = stage.arm_deg.at(port);
+      arm_at_setup.at(port) = stage.arm_deg.at(port) - stage.knocked_deg;
       at += 8;
     }
     ++stage.setups;

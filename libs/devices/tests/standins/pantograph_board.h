@@ -41,6 +41,7 @@ class PantographBoard {
 
   // Written by the test. Index 0 is port 1, the left arm; 1 is port 2, the right one.
   std::array<std::atomic<double>, 2> arm_deg{12, 168};  ///< of the inner arms; this is rest
+  std::atomic<double> knocked_deg{0};  ///< by how much a hand turns both arms once the board was set up
   /// Reports other_deg in every second answer; the program must push only at arm_deg.
   std::atomic<bool> swings{false};
   std::array<std::atomic<double>, 2> other_deg{12, 168};
