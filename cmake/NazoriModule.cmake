@@ -36,6 +36,21 @@ function(nazori_isolated_suites isolated shared regex)
   set(${isolated} "${filter}" PARENT_SCOPE)
 endfunction()
 
+# nazori_test_parts(NAME COUNT WITHOUT PROPERTIES): the tests of nazori_NAME_tests in COUNT processes (empty: 2), but for
+# those of the filter WITHOUT. The start of a sanitized program takes longer than most tests.
+function(nazori_test_parts name count without properties)
+  if(NOT count)
+    set(count 2)
+  endif()
+  math(EXPR last "${count} - 1")
+  foreach(part RANGE 0 ${last})
+    add_test(NAME ${name}.part_${part} COMMAND nazori_${name}_tests --gtest_brief=1 "--gtest_filter=*-${without}")
+    # A part runs hundreds of tests, on a busy machine for longer than any one of them may.
+    set_tests_properties(${name}.part_${part} PROPERTIES ${properties} TIMEOUT 1200)
+    set_property(TEST ${name}.part_${part} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=${count} GTEST_SHARD_INDEX=${part})
+  endforeach()
+endfunction()
+
 # nazori_threaded_tests(RESULT TESTS ... THREADED ... SOURCES ...)
 #
 # The test files that are built for the thread sanitizer: THREADED, which is ALL or a list of files, and files that are
@@ -102,18 +117,19 @@ function(nazori_rt_calls name roots)
 endfunction()
 
 # nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH
-# ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>] [TESTS_TOGETHER [TESTS_ALONE ...]] [ISOLATED_TESTS REGEX] [BENCHES
+# ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>] [TESTS_TOGETHER [TESTS_ALONE ...]] [ISOLATED_TESTS REGEX] [SANITIZED_PARTS N] [NOT_SANITIZED FILTER] [BENCHES
 # ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
 # One room: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench file as part
 # of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are visible to users of the public headers,
 # PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE they run after
 # kanji.db has been built and find its folder in the environment variable NAZORI_DATA. ISOLATED_TESTS: a pattern for
-# test files whose tests need a process each, because they share one window or one set of signals. With the address
-# sanitizer the other tests share two processes, otherwise each test has its own. The thread sanitizer builds only
+# test files whose tests need a process each, because they share one set of signals. With the address sanitizer the other
+# tests share SANITIZED_PARTS processes (2 unless told otherwise), without those that the filter NOT_SANITIZED names;
+# otherwise each test has its own process. The thread sanitizer builds only
 # THREADED_TESTS: tests of code without threads cannot race. TESTS_TOGETHER: see nazori_compile_together.
 function(nazori_module name)
-  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" "ISOLATED_TESTS"
+  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" "ISOLATED_TESTS;SANITIZED_PARTS;NOT_SANITIZED"
     "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;TESTS_ALONE;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
   if(m_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nazori_module(${name}): unknown ${m_UNPARSED_ARGUMENTS}")
@@ -163,15 +179,9 @@ function(nazori_module name)
     endif()
     set(filter "")
     if(NAZORI_SANITIZE MATCHES "address")
-      # The start of a sanitized program takes longer than most tests.
       nazori_isolated_suites(isolated shared "${m_ISOLATED_TESTS}" ${m_TESTS})
       if(shared)
-        foreach(part 0 1)
-          add_test(NAME ${name}.part_${part} COMMAND ${target}_tests --gtest_brief=1 "--gtest_filter=*-${isolated}")
-          # A part runs hundreds of tests, on a busy machine for longer than any one of them may.
-          set_tests_properties(${name}.part_${part} PROPERTIES ${properties} TIMEOUT 1200)
-          set_property(TEST ${name}.part_${part} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=${part})
-        endforeach()
+        nazori_test_parts(${name} "${m_SANITIZED_PARTS}" "${isolated}:${m_NOT_SANITIZED}" "${properties}")
         set(filter TEST_FILTER "${isolated}")
       endif()
     endif()
