@@ -47,7 +47,8 @@ class PlacementCheck {
   [[nodiscard]] int answered() const { return answered_; }
   /// How many characters of the list the learner can write: the median of what is probable, 0..n.
   [[nodiscard]] int ability() const { return quantile(0.5); }
-  /// As ability(), as people say it: from 100 on in tens, from 20 on in fives; never more than the list has.
+  /// As ability(), as people say it: from 100 on in tens, from 20 on in fives; never more than the list has;
+  /// 0 where it is not certain enough (95 %) that any can be written.
   [[nodiscard]] int rounded_ability() const;
   /// The number of characters below which the ability lies with the probability `share`, 0..1.
   [[nodiscard]] int quantile(double share) const;
