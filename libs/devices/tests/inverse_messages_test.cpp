@@ -292,5 +292,13 @@ TEST(JsonReader, TakesNoPartOfATextForTheWhole) {
   }
 }
 
+TEST(InverseMessages, ABrokenMessageHoldsNoButtonDownFromBefore) {
+  ServiceState state;
+  ASSERT_TRUE(read_state(R"({"inverse3":[],"verse_grip":[{"state":{"buttons":{"a":true}}}]})", state));
+  ASSERT_NE(state.buttons, 0U);
+  EXPECT_FALSE(read_state("[]", state));
+  EXPECT_EQ(state.buttons, 0U);
+}
+
 }  // namespace
 }  // namespace nazori::devices::inverse

@@ -261,6 +261,10 @@ TEST(Worksheet, WhatCannotBePrintedIsRefused) {
   settings = {};
   settings.copies = -1;
   EXPECT_THAT(trouble(settings), HasSubstr("copies"));
+  settings.copies = 40;
+  settings.rows = 40;
+  settings.whole_page = true;  // the page decides how many rows there are
+  EXPECT_EQ(trouble(settings), "");
   settings = {};
   settings.rows = 20;
   EXPECT_THAT(trouble(settings), HasSubstr("do not fit"));

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -99,9 +98,9 @@ const std::vector<Waves>& waves() {
     for (std::size_t sample = 0; sample < kParts; ++sample) {
       for (std::size_t step = 0; step < kSteps; ++step) {
         const auto part = static_cast<double>(sample * step % kParts);
-        const auto wave = std::polar(1.0, -2 * std::numbers::pi * part / kParts);
-        made[sample].real[step] = wave.real();
-        made[sample].imaginary[step] = wave.imag();
+        const double angle = 2 * std::numbers::pi * part / kParts;
+        made[sample].real[step] = std::cos(angle);
+        made[sample].imaginary[step] = -std::sin(angle);
       }
     }
     return made;
