@@ -169,7 +169,8 @@ TEST_F(ActionTables, WhatStandsInAToolbarHasAPicture) {
   CharacterActions characters(&window_);
   EXPECT_EQ(
       with_icons(characters),
-      lines("draw_to_find\nnext_stroke\nprevious_stroke\nstrokes\nnumbers\narrows\nsnap\nwriting_cross\nclear_ink\nwatch\n"
+      lines("draw_to_find\nnext_stroke\nprevious_stroke\nstrokes\nnumbers\narrows\nsnap\nwriting_"
+            "cross\nclear_ink\nwatch\n"
             "trace\nguided\nmemory\ndictation\nplay\nstep_back\nstep_on\nslower\nfaster\nloop\nby_groove\nby_"
             "starts\n"
             "lead_hand\nundo_stroke\ndone\nhint\ngive_up\nshow_right\ncompare_over\ncompare_beside\nspeak"));

@@ -12,16 +12,16 @@ constexpr double kWidestInk_m = 0.0020;
 constexpr double kLaidFlat = 0.6;  // of its width more, of a brush on its side
 
 // The brush of inked().
-constexpr double kBrush_m = 0.0009;   ///< half of its width, and more of the pressed width
-constexpr double kPressed = 0.55;     ///< share of the pressed width that is added
-constexpr double kSmoothed_m = 0.006;     ///< on which the brush follows the speed of the hand
-constexpr double kEntry_m = 0.0025;   ///< on which the brush opens
-constexpr double kEntryWidth = 0.6;   ///< where it comes down
-constexpr double kFastest = 0.78;     ///< width where the hand is fast
-constexpr double kSlowest = 1.12;     ///< and where it is slow
-constexpr double kEndTime_s = 0.06;   ///< in which the end of a stroke is seen to stop or not
-constexpr double kSweepSpeed = 0.6;   ///< of the mean speed: faster at the end is a sweep
-constexpr double kSweepShare = 0.35;  ///< of the length that a sweep thins out on
+constexpr double kBrush_m = 0.0009;    ///< half of its width, and more of the pressed width
+constexpr double kPressed = 0.55;      ///< share of the pressed width that is added
+constexpr double kSmoothed_m = 0.006;  ///< on which the brush follows the speed of the hand
+constexpr double kEntry_m = 0.0025;    ///< on which the brush opens
+constexpr double kEntryWidth = 0.6;    ///< where it comes down
+constexpr double kFastest = 0.78;      ///< width where the hand is fast
+constexpr double kSlowest = 1.12;      ///< and where it is slow
+constexpr double kEndTime_s = 0.06;    ///< in which the end of a stroke is seen to stop or not
+constexpr double kSweepSpeed = 0.6;    ///< of the mean speed: faster at the end is a sweep
+constexpr double kSweepShare = 0.35;   ///< of the length that a sweep thins out on
 constexpr double kLongestSweep_m = 0.012;
 constexpr double kPoint = 0.12;  ///< width at the end of a sweep
 
