@@ -44,30 +44,31 @@ base::Result<WritingRecord> writing_record(const study::LearnerStore& store, stu
   record.first = first;
   record.last = last;
   std::set<char32_t> characters;
+  std::set<char32_t> fresh;
   const auto studied = store.study_days();
   if (!studied) return tl::unexpected(studied.error());
   for (const study::StudyDay& day : *studied) {
-    if (day.day < first || day.day > last || day.reviews == 0) continue;
+    if (day.day < first || day.day > last) continue;
+    const auto introduced = store.introduced_on(day.day);
+    if (!introduced) return tl::unexpected(introduced.error());
+    fresh.insert(introduced->begin(), introduced->end());
+    if (day.reviews == 0) continue;
     ++record.study_days;
     const auto reviewed = store.reviewed_on(day.day);
     if (!reviewed) return tl::unexpected(reviewed.error());
     characters.insert(reviewed->begin(), reviewed->end());
   }
   std::map<char32_t, int> refused;
-  std::set<char32_t> fresh;
   for (const char32_t character : characters) {
-    const auto all = store.writings_of(character);
+    const auto all = store.writings_of(character, first, last);
     if (!all) return tl::unexpected(all.error());
     for (const auto& logged : *all) {
       const auto& entry = logged.entry;
-      if (entry.day < first || entry.day > last || !is_from_memory(entry)) continue;
+      if (!is_from_memory(entry)) continue;
       const bool is_right = entry.writing.result.accepted;
       record.writings.push_back({entry.id, character, is_right, logged.has_ink});
       if (!is_right) ++refused[character];
     }
-    if (!all->empty() && all->front().entry.day >= first &&
-        !study::is_marked_known(all->front().entry.writing))
-      fresh.insert(character);
   }
   std::sort(record.writings.begin(), record.writings.end(),
             [](const RecordedWriting& a, const RecordedWriting& b) { return a.entry < b.entry; });

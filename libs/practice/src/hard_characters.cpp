@@ -29,15 +29,13 @@ base::Result<std::vector<HardCharacter>> hard_characters(const study::LearnerSto
 
 base::Result<std::optional<StrokeTrouble>> stroke_trouble(const study::LearnerStore& store,
                                                           char32_t character, study::Day first) {
-  const auto writings = store.writings_of(character);
+  const auto writings = store.writings_of(character, first, study::kLastDay);
   if (!writings) return tl::unexpected(writings.error());
   std::map<std::pair<int, kanji::MistakeKind>, int> times;
   int written = 0;
   for (const auto& logged : *writings) {
     const auto& entry = logged.entry;
-    if (entry.day < first || entry.writing.stage == study::Stage::watch ||
-        study::is_marked_known(entry.writing))
-      continue;
+    if (entry.writing.stage == study::Stage::watch || study::is_marked_known(entry.writing)) continue;
     ++written;
     std::map<std::pair<int, kanji::MistakeKind>, int> once;
     for (const auto& mistake : entry.writing.result.mistakes)

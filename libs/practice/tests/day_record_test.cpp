@@ -95,7 +95,7 @@ TEST_F(DayRecord, UndoTakesAWritingOutOfTheDay) {
 }
 
 TEST_F(DayRecord, WhatWasMarkedAsKnownWasNotWritten) {
-  ASSERT_TRUE(mark_known(*learner_, U'木', 4));
+  ASSERT_TRUE(mark_known(*learner_, U'木'));
   EXPECT_EQ(today(), (WritingRecord{store().today(), store().today(), 0, {}, {}, {}}));
   EXPECT_EQ(streak_now(store()).days, 0);
   EXPECT_THAT(*store().study_days(), IsEmpty());
@@ -104,7 +104,7 @@ TEST_F(DayRecord, WhatWasMarkedAsKnownWasNotWritten) {
   EXPECT_THAT(today().fresh, IsEmpty()) << "it was known";
   EXPECT_EQ(streak_now(store()).days, 1);
   clock_.advance(days(1));
-  ASSERT_TRUE(mark_known(*learner_, U'休', 6));
+  ASSERT_TRUE(mark_known(*learner_, U'休'));
   EXPECT_TRUE(today().writings.empty());
   EXPECT_EQ(last_record_before(store(), store().today() + days(1))->value().first, day("2026-03-02"))
       << "the last day on which something was written";

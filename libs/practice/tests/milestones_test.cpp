@@ -118,7 +118,7 @@ TEST_F(MilestonesTest, AllSchoolKanjiAreTwoThousandOneHundredAndThirtySix) {
 TEST_F(MilestonesTest, WhatIsMarkedAsKnownIsLearnedButSetsNoPace) {
   save("a", {U'一', U'二', U'三'});
   choose({"list:a"});
-  ASSERT_TRUE(mark_known(*learner_, U'一', 1));
+  ASSERT_TRUE(mark_known(*learner_, U'一'));
   EXPECT_EQ(now()[0], (Milestone{"list:a", 1, 1, 3, std::nullopt}));
   begin(U'二');
   EXPECT_EQ(now()[0], (Milestone{"list:a", 2, 2, 3, 1}));

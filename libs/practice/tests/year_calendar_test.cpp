@@ -78,7 +78,7 @@ TEST(YearCalendar, CountsReviewsAndPracticeAndKnowsTodayAndWhatIsToCome) {
 using YearCalendarOfALearner = LearnerTest;
 
 TEST_F(YearCalendarOfALearner, WhatWasMarkedAsKnownIsNotInIt) {
-  ASSERT_TRUE(mark_known(*learner_, U'木', 4));
+  ASSERT_TRUE(mark_known(*learner_, U'木'));
   const auto known = study::statistics_of(learner_->store());
   ASSERT_TRUE(known);
   EXPECT_EQ(year_calendar(*known, 2026).study_days, 0);

@@ -45,8 +45,13 @@ Card LearnerStore::card(char32_t character) const {
 }
 
 base::Result<std::vector<LearnerStore::LoggedEntry>> LearnerStore::writings_of(char32_t character) const {
+  return writings_of(character, kFirstDay, kLastDay);
+}
+
+base::Result<std::vector<LearnerStore::LoggedEntry>> LearnerStore::writings_of(char32_t character, Day first,
+                                                                               Day last) const {
   return inside_->guarded([&]() -> base::Result<std::vector<LoggedEntry>> {
-    std::vector<LoggedEntry> entries = inside_->entries_of(character);
+    std::vector<LoggedEntry> entries = inside_->entries_of(character, first, last);
     std::erase_if(entries, [](const LoggedEntry& one) { return one.entry.kind != EntryKind::writing; });
     return entries;
   });

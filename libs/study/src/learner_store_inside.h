@@ -67,7 +67,9 @@ struct LearnerStore::Inside {
 
   /// Writings and other entries of one character that were not undone. Throws SQLite::Exception, also for an
   /// invalid row, because a card must not be computed without it.
-  [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character);
+  /// Of the days from `first` to `last`.
+  [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character, Day first = kFirstDay,
+                                                    Day last = kLastDay);
   /// Computes the history of one character from its entries that were not undone.
   [[nodiscard]] CardHistory history_of(char32_t character, std::span<const LoggedEntry> entries) const;
   /// A new entry for an action at the present time.

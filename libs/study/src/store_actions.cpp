@@ -7,12 +7,18 @@
 #include "interval_choice.h"
 #include "learner_store_inside.h"
 #include "store_days.h"
+#include "times_as_numbers.h"
 
 namespace nazori::study {
 
-std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(char32_t character) {
-  SQLite::Statement rows(db, fmt::format("SELECT {} FROM log WHERE character = ? ORDER BY id", log_columns));
+std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(char32_t character, Day first,
+                                                                        Day last) {
+  SQLite::Statement rows(
+      db,
+      fmt::format("SELECT {} FROM log WHERE character = ? AND day BETWEEN ? AND ? ORDER BY id", log_columns));
   rows.bind(1, static_cast<std::int64_t>(character));
+  rows.bind(2, number_of(first));
+  rows.bind(3, number_of(last));
   std::vector<LoggedEntry> entries;
   while (rows.executeStep()) {
     auto entry = read_entry(rows);

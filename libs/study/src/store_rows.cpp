@@ -77,9 +77,9 @@ class RowReader {
   std::string text() { return row_.getColumn(at_++).getString(); }
   [[nodiscard]] bool is_null() const { return row_.getColumn(at_).isNull(); }
   Time time() { return time_of(whole(kEarliestMs, kLatestMs)); }
-  Day day() { return day_of(whole(-kFarthestDay, kFarthestDay)); }
+  Day day() { return day_of(whole(number_of(kFirstDay), number_of(kLastDay))); }
   std::optional<Day> optional_day() {
-    const auto number = optional(-kFarthestDay, kFarthestDay);
+    const auto number = optional(number_of(kFirstDay), number_of(kLastDay));
     return number ? std::optional(day_of(*number)) : std::nullopt;
   }
   void skip(int columns) { at_ += columns; }
@@ -87,8 +87,7 @@ class RowReader {
   void refuse() { ok_ = false; }
 
  private:
-  static constexpr std::int64_t kFarthestDay = 4'000'000;
-  static constexpr std::int64_t kLatestMs = kFarthestDay * 86'400'000;
+  static constexpr std::int64_t kLatestMs = std::chrono::milliseconds(kLastDay.time_since_epoch()).count();
   static constexpr std::int64_t kEarliestMs = -kLatestMs;
   SQLite::Statement& row_;
   int at_ = 0;

@@ -215,7 +215,7 @@ TEST(StoreSchema, AnOlderFileIsBroughtUpToDateAfterABackup) {
   EXPECT_EQ(number(file, "PRAGMA user_version"), kLearnerVersion);
   EXPECT_EQ(number(file, "PRAGMA application_id"), kLearnerApplicationId);
   EXPECT_EQ(number(file, "SELECT max(version) FROM schema_version"), kLearnerVersion);
-  EXPECT_EQ(number(file, "SELECT count(*) FROM schema_version"), 2);
+  EXPECT_EQ(number(file, "SELECT count(*) FROM schema_version"), kLearnerVersion);
   EXPECT_EQ(number(file, "SELECT since_ms FROM schema_version WHERE version = 2"),
             clock.now().time_since_epoch().count());
 }
@@ -237,7 +237,7 @@ TEST(StoreSchema, ANewFileHasHadEveryVersionAtItsFirstMoment) {
   const MovedClock clock("2026-05-05T09:00:00Z");
   const fs::path file = folder / "learner.db";
   (void)must(LearnerStore::open(file, Access::write, clock.clock(), Upkeep::now));
-  EXPECT_EQ(number(file, "SELECT count(*) FROM schema_version"), 2);
+  EXPECT_EQ(number(file, "SELECT count(*) FROM schema_version"), kLearnerVersion);
   EXPECT_EQ(number(file, "SELECT min(since_ms) FROM schema_version"), clock.now().time_since_epoch().count());
   EXPECT_FALSE(fs::exists(backup_folder(file)));
 }

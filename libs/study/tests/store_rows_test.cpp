@@ -176,7 +176,7 @@ TEST(StoreRows, EveryColumnOfTheLogHasItsRange) {
                              "day = -4000001",
                              "character = 0",
                              "character = 1114112",
-                             "kind = 8",
+                             "kind = 10",
                              "kind = -1",
                              "kind = 256",
                              "stage = 4",

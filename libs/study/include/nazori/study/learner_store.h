@@ -185,6 +185,9 @@ class LearnerStore {
   [[nodiscard]] base::Result<OutcomeTimes> newest_times(DayOutcome outcome, int most) const;
   /// The writings of one character that were not undone, oldest first.
   [[nodiscard]] base::Result<std::vector<LoggedEntry>> writings_of(char32_t character) const;
+  /// Those of the days from `first` to `last`.
+  [[nodiscard]] base::Result<std::vector<LoggedEntry>> writings_of(char32_t character, Day first,
+                                                                   Day last) const;
   /// The ink of an entry; empty where none was saved.
   [[nodiscard]] base::Result<Handwriting> ink_of(std::int64_t entry) const;
   /// Duration of the last ten accepted writings from memory.

@@ -16,6 +16,9 @@ using Time = std::chrono::time_point<std::chrono::system_clock, std::chrono::mil
 
 /// A study day: the calendar date on which it begins. Counted in days since 1970-01-01.
 using Day = std::chrono::sys_days;
+/// The days that an entry of the log may have.
+inline constexpr Day kFirstDay{std::chrono::days(-4'000'000)};
+inline constexpr Day kLastDay{std::chrono::days(4'000'000)};
 
 /// Returns the present time. Everything in this module that needs it calls a function of this type.
 using Clock = std::function<Time()>;
