@@ -155,12 +155,19 @@ TEST_F(Device, CornersThatMakeNoTabletChangeNothing) {
   EXPECT_FALSE(find("corner")->isVisible());
 }
 
-TEST_F(Device, TheStatusLineTellsDeviceRateAndMissedTicks) {
+TEST_F(Device, TheStatusLineTellsRateAndMissedTicksOnThePageOfDevicesOnly) {
   EXPECT_EQ(text("device"), QStringLiteral("Scripted arm"));
+  EXPECT_TRUE(find("device")->isVisible());
+  for (const char* figure : {"rate", "missed", "timing", "depth"})
+    EXPECT_FALSE(find(figure)->isVisible()) << figure;
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_TRUE(find("rate")->isVisible());
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return text("rate").contains(QStringLiteral("times per second")); }, 30'000))
       << text("rate").toStdString();
   EXPECT_TRUE(text("missed").contains(QStringLiteral(" missed"))) << text("missed").toStdString();
+  press(Qt::Key_1, Qt::AltModifier);
+  EXPECT_FALSE(find("rate")->isVisible());
 }
 
 TEST_F(Device, ALimitThatIsRememberedAboveTheDevicesOwnRaisesNothing) {

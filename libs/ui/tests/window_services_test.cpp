@@ -114,6 +114,8 @@ TEST(StatusLine, TellsDepthInMillimetresWhileThereIsAny) {
   const auto* depth = line.findChild<QLabel*>(QStringLiteral("depth"));
   EXPECT_FALSE(depth->isVisible());
   line.show_depth(0.00423);
+  EXPECT_FALSE(depth->isVisible()) << "without figures";
+  line.show_figures(true);
   EXPECT_EQ(depth->text(), QStringLiteral("depth 4.2 mm"));
   EXPECT_TRUE(depth->isVisible());
   line.show_depth(0);

@@ -90,6 +90,7 @@ void CheckPage::make_buttons() {
   auto* flow = new FlowLayout(kGap, kGap, row);
   auto* done = action_button(actions_->done, tr("Finish  ⏎"), buttons_);
   done->setObjectName(QStringLiteral("check_done_button"));
+  done->setProperty("role", QStringLiteral("primary"));
   flow->addWidget(done);
   flow->addWidget(action_button(actions_->unknown, tr("I don't know  (I)"), buttons_));
   flow->addWidget(action_button(actions_->end, tr("End the test"), buttons_));

@@ -173,6 +173,7 @@ void StartView::add_minutes() {
 void StartView::add_end() {
   trouble_ = sentence_label("start_trouble", content_, "trouble");
   write_ = named(new QPushButton(content_), "start_write");
+  write_->setProperty("role", QStringLiteral("primary"));
   skip_ = named(new QPushButton(content_), "start_skip");
   input_ = text_label("start_input", content_, "muted");
   for (auto* button : {write_, skip_}) button->setAutoDefault(true);

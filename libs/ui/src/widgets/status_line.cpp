@@ -102,6 +102,11 @@ void StatusLine::show_depth(double depth_m) {
   fit();
 }
 
+void StatusLine::show_figures(bool shown) {
+  has_figures_ = shown;
+  fit();
+}
+
 void StatusLine::changeEvent(QEvent* event) {
   QStatusBar::changeEvent(event);
   // Its height depends on its labels, whose font changes after its own.
@@ -118,8 +123,7 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 }
 
 void StatusLine::fit() {
-  // Labels that do not fit are left out completely, the least important first. The page "Device" shows all of
-  // them.
+  // Labels that do not fit are left out completely, the least important first.
   int room = contentsRect().width() - kMargin;
   if (controller_.device().is_pointer()) {
     for (const QString& words : InputWatch::of_program().shorter_and_shorter()) {
@@ -129,7 +133,9 @@ void StatusLine::fit() {
   }
   bool full = false;
   for (auto* label : {record_, device_, depth_, rate_, missed_, timing_}) {
-    if (label->text().isEmpty() || (label == record_ && !recording_.is_on() && !recording_.is_exporting())) {
+    const bool is_figure = label != record_ && label != device_;
+    if (label->text().isEmpty() || (is_figure && !has_figures_) ||
+        (label == record_ && !recording_.is_on() && !recording_.is_exporting())) {
       label->hide();
       continue;
     }

@@ -15,14 +15,17 @@ class TabletRecording;
 
 namespace nazori::ui {
 
-/// The device, the real rate of its servo, how long a tick takes and how late it comes, the age of the drawn
-/// pose, and missed ticks. Updated once a second.
+/// What one writes with, and a recording that runs. With figures also the depth, the real rate of the servo,
+/// how long a tick takes and how late it comes, the age of the drawn pose, and missed ticks. Updated once a
+/// second.
 class StatusLine final : public QStatusBar {
   Q_OBJECT
  public:
   StatusLine(practice::TabletControl& controller, practice::TabletRecording& recording, QWidget* parent);
 
   void show_depth(double depth_m);
+  /// Figures are for the page of devices: a learner has no use for them.
+  void show_figures(bool shown);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -45,6 +48,7 @@ class StatusLine final : public QStatusBar {
   QTimer timer_;
   QElapsedTimer since_;
   std::uint64_t ticks_ = 0;
+  bool has_figures_ = false;
 };
 
 }  // namespace nazori::ui

@@ -275,6 +275,7 @@ void MainWindow::Inside::enter(Page& page) {
   if (replacement == nullptr) panes->set_panels(page.left().widget, page.right().widget);
   stage->setCurrentWidget(holder);
   tool_bar->enter(page);
+  status->show_figures(page.id() == QLatin1String("device"));
   tablet_container->setAccessibleDescription(page.tablet_description());
   if (replacement == nullptr) {
     QWidget* before = tool_bar;
