@@ -149,8 +149,8 @@ DeviceTrouble ArmLink::read() {
     trouble = DeviceTrouble::communication_lost;
   else if (arm->calibrated == false)
     trouble = DeviceTrouble::not_calibrated;
-  else if (arm->ready == false)  // NOLINT(bugprone-branch-clone): the order of the checks matters
-    trouble = DeviceTrouble::not_ready;
+  else if (arm->ready == false)
+    trouble = DeviceTrouble::not_ready;  // NOLINT(bugprone-branch-clone): the order of the checks matters
   else if (!arm->position_m)
     trouble = DeviceTrouble::bad_message;
   else if (delay_s_ > kTooSlow_s)
