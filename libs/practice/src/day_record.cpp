@@ -7,16 +7,8 @@
 #include <utility>
 
 namespace nazori::practice {
-namespace {
 
 using std::chrono::days;
-using study::Stage;
-
-bool is_from_memory(const study::LogEntry& entry) {
-  return entry.writing.stage == Stage::memory && !study::is_marked_known(entry.writing);
-}
-
-}  // namespace
 
 int WritingRecord::right() const {
   return static_cast<int>(std::count_if(writings.begin(), writings.end(),
@@ -64,7 +56,7 @@ base::Result<WritingRecord> writing_record(const study::LearnerStore& store, stu
     if (!all) return tl::unexpected(all.error());
     for (const auto& logged : *all) {
       const auto& entry = logged.entry;
-      if (!is_from_memory(entry)) continue;
+      if (entry.writing.stage != study::Stage::memory) continue;
       const bool is_right = entry.writing.result.accepted;
       record.writings.push_back({entry.id, character, is_right, logged.has_ink});
       if (!is_right) ++refused[character];

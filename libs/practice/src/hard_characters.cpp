@@ -2,6 +2,8 @@
 #include "nazori/practice/hard_characters.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "nazori/practice/study_charts.h"
@@ -35,12 +37,12 @@ base::Result<std::optional<StrokeTrouble>> stroke_trouble(const study::LearnerSt
   int written = 0;
   for (const auto& logged : *writings) {
     const auto& entry = logged.entry;
-    if (entry.writing.stage == study::Stage::watch || study::is_marked_known(entry.writing)) continue;
+    if (entry.writing.stage == study::Stage::watch) continue;
     ++written;
-    std::map<std::pair<int, kanji::MistakeKind>, int> once;
+    std::set<std::pair<int, kanji::MistakeKind>> once;
     for (const auto& mistake : entry.writing.result.mistakes)
-      if (mistake.kind != kanji::MistakeKind::ending) once[{mistake.stroke, mistake.kind}] = 1;
-    for (const auto& [key, count] : once) times[key] += count;
+      if (mistake.kind != kanji::MistakeKind::ending) once.emplace(mistake.stroke, mistake.kind);
+    for (const auto& key : once) ++times[key];
   }
   std::optional<StrokeTrouble> worst;
   for (const auto& [key, count] : times)

@@ -46,11 +46,6 @@ std::string_view name_of(EntryKind kind) {
 
 std::optional<EntryKind> entry_kind_named(std::string_view name) { return value_named<EntryKind>(name); }
 
-bool is_marked_known(const Writing& writing) {
-  return writing.stage == Stage::memory && writing.rating == Rating::easy &&
-         writing.proposed == Rating::easy && writing.result.duration.count() == 0;
-}
-
 void CardHistory::review(const LogEntry& entry, Rating rating, std::optional<int> interval_days,
                          const Settings& settings) {
   const Fsrs fsrs = scheduler_of(settings);

@@ -78,7 +78,6 @@ class Summing {
   void writing(const LearnerStore::LoggedEntry& logged, const Card& before) {
     const LogEntry& entry = logged.entry;
     const Writing& written = entry.writing;
-    if (is_marked_known(written)) return;
     DayActivity& activity = activity_[entry.day];
     activity.day = entry.day;
     activity.time += written.result.duration;

@@ -101,7 +101,7 @@ void rebuild_days(SQLite::Database& db) {
   std::map<char32_t, CharacterDays> all;
   SQLite::Statement log(db,
                         "SELECT character, kind, day, coalesce(stage, 0), coalesce(rating, 1), "
-                        "coalesce(duration_ms, 0), coalesce(proposed, 1) FROM log "
+                        "coalesce(duration_ms, 0) FROM log "
                         "WHERE kind IN (?, ?, ?) AND character IS NOT NULL "
                         "AND action NOT IN (SELECT undoes FROM log WHERE undoes IS NOT NULL) ORDER BY id");
   log.bind(1, static_cast<int>(EntryKind::writing));
@@ -115,7 +115,6 @@ void rebuild_days(SQLite::Database& db) {
     entry.writing.stage = static_cast<Stage>(log.getColumn(3).getInt());
     entry.writing.rating = static_cast<Rating>(log.getColumn(4).getInt());
     entry.writing.result.duration = milliseconds(log.getColumn(5).getInt64());
-    entry.writing.proposed = static_cast<Rating>(log.getColumn(6).getInt());
     all[entry.character].take(entry);
   }
   RowWriter rows(db);

@@ -12,7 +12,6 @@ void CharacterDays::take(const LogEntry& entry) {
   if (entry.kind != EntryKind::writing) return;
   const bool was_new = is_new_;
   is_new_ = false;
-  if (is_marked_known(entry.writing)) return;
   if (was_new) {
     days_.push_back({entry.day, DayOutcome::introduced});
   } else if (days_.empty() || days_.back().day != entry.day) {

@@ -42,11 +42,6 @@ struct Writing {
   friend bool operator==(const Writing&, const Writing&) = default;
 };
 
-/// Whether a character was only marked as known: rated Easy, as suggested, from memory and in no time. It
-/// schedules the character like a review, but nothing was written, so it is no part of what was done on a
-/// day.
-[[nodiscard]] bool is_marked_known(const Writing& writing);
-
 /// One entry of the append-only log. `kind` determines which members are used.
 struct LogEntry {
   std::int64_t id = 0;      ///< 1, 2, 3, ...
