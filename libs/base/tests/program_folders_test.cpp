@@ -10,6 +10,8 @@
 #include <optional>
 #include <string>
 
+#include "environment_variable.h"
+
 namespace nazori::base {
 namespace {
 
@@ -67,40 +69,17 @@ TEST_F(ProgramFolders, WhatIsNoBuildOfThisProgramIsNoBuildTree) {
       "b", "CMAKE_PROJECT_NAME:STATIC=nazori2\nCMAKE_HOME_DIRECTORY:INTERNAL=" + folder_.string() + "\n")));
 }
 
-/// Sets or removes an environment variable until it is destroyed.
-class Variable {
- public:
-  Variable(const char* name, const char* value) : name_(name) {
-    const char* const before = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
-    if (before != nullptr) before_ = before;
-    set(value);
-  }
-  ~Variable() { set(before_ ? before_->c_str() : nullptr); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  void set(const char* value) const {
-    if (value == nullptr)
-      ::unsetenv(name_);  // NOLINT(concurrency-mt-unsafe)
-    else
-      ::setenv(name_, value, 1);  // NOLINT(concurrency-mt-unsafe)
-  }
-  const char* name_;
-  std::optional<std::string> before_;
-};
-
 TEST(UserDataFolder, IsThatOfTheSpecification) {
   // XDG Base Directory Specification: a path that is not absolute is ignored.
-  const Variable home("HOME", "/home/a");
+  const test::EnvironmentVariable home("HOME", "/home/a");
   {
-    const Variable data("XDG_DATA_HOME", "/data");
+    const test::EnvironmentVariable data("XDG_DATA_HOME", "/data");
     EXPECT_EQ(user_data_folder(), "/data/nazori");
   }
   for (const char* none : {"", "relative/data", static_cast<const char*>(nullptr)}) {
-    const Variable data("XDG_DATA_HOME", none);
+    const test::EnvironmentVariable data("XDG_DATA_HOME", none);
     EXPECT_EQ(user_data_folder(), "/home/a/.local/share/nazori");
-    const Variable no_home("HOME", none == nullptr ? nullptr : "");
+    const test::EnvironmentVariable no_home("HOME", none == nullptr ? nullptr : "");
     EXPECT_EQ(user_data_folder(), "");
   }
 }

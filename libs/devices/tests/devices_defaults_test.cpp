@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the structs of this room begin with: who leaves a field out gets what its header promises.
+// The default values of the structs of this room, as their headers say them.
 #include <gtest/gtest.h>
 
 #include <array>

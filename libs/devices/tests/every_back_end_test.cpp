@@ -9,20 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "environment_variable.h"
+
 namespace nazori::devices {
 namespace {
-
-/// Sets an environment variable while this lives.
-class Variable {
- public:
-  Variable(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
-  ~Variable() { unsetenv(name_); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-};
 
 TEST(EveryBackEnd, IsThereOnceMakersDevicesFirst) {
   std::vector<std::string> ids;
@@ -48,10 +38,10 @@ TEST(EveryBackEnd, LooksWhereTheSettingsSay) {
 TEST(EveryBackEnd, TheEnvironmentGoesBeforeWhatIsStored) {
   const base::Settings stored{{"openhaptics_library", "a.so"}, {"inverse_port", "7"}, {"other", "x"}};
   EXPECT_EQ(back_end_settings(stored), stored);
-  const Variable library("NAZORI_LIBHD", "b.so");
-  const Variable device("NAZORI_OPENHAPTICS_DEVICE", "");
-  const Variable port("NAZORI_INVERSE_PORT", "");
-  const Variable button("NAZORI_PANTOGRAPH_BUTTON", "1");
+  const test::EnvironmentVariable library("NAZORI_LIBHD", "b.so");
+  const test::EnvironmentVariable device("NAZORI_OPENHAPTICS_DEVICE", "");
+  const test::EnvironmentVariable port("NAZORI_INVERSE_PORT", "");
+  const test::EnvironmentVariable button("NAZORI_PANTOGRAPH_BUTTON", "1");
   EXPECT_EQ(back_end_settings(stored), (base::Settings{{"openhaptics_library", "b.so"},
                                                        {"inverse_port", ""},
                                                        {"other", "x"},

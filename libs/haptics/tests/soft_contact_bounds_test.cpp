@@ -9,25 +9,10 @@
 #include <utility>
 
 #include "nazori/haptics/soft_contact.h"
+#include "soft_tip_under_test.h"
 
 namespace nazori::haptics {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-SoftTip brush() {
-  SoftTip tip;
-  tip.step_m = 0.005;
-  tip.push_n = {0, 0.1, 0.4, 0.3, 0.5};
-  tip.friction = 0.3;
-  tip.along_hair = 0.4;
-  tip.sideways_n_m = 20;
-  tip.tow_m = 0.01;
-  return tip;
-}
-SoftTipTable table() { return {brush(), 500, 3.3}; }
-
-double sideways(const Vec3& force) { return std::hypot(force.x, force.y); }
 
 TEST(SoftTipTable, EveryValueHasItsBounds) {
   const auto with = [](auto change) {

@@ -31,7 +31,7 @@ PlacementCheck check(int count, Answers&& answers, const PlacementRates& rates =
   return check;
 }
 
-/// A learner who writes the first `ability` characters and no other, and never slips.
+/// A learner who can write the first `ability` characters, no others, and never makes a mistake in them.
 auto exact_learner(int ability) {
   return [ability](int position) {
     return position < ability ? PlacementAnswer::written : PlacementAnswer::unknown;

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "child_program.h"
+#include "environment_variable.h"
 #include "recordings.h"
 #include "stand_in_voices.h"
 
@@ -27,27 +28,6 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Puts a variable of the environment back when it ends.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    ::setenv(name, value.c_str(), 1);
-  }
-  ~Variable() {
-    if (before_)
-      ::setenv(name_, before_->c_str(), 1);
-    else
-      ::unsetenv(name_);
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
-
 VoiceChoice choice_of(VoiceKind kind) {
   VoiceChoice choice;
   choice.kind = kind;
@@ -55,8 +35,8 @@ VoiceChoice choice_of(VoiceKind kind) {
 }
 
 TEST(SpeechPlaces, AreThoseOfTheSystemInTheirOrder) {
-  const Variable path("PATH", "/a/b::r:/c");
-  const Variable data("XDG_DATA_HOME", "/home/of/data");
+  const test::EnvironmentVariable path("PATH", "/a/b::r:/c");
+  const test::EnvironmentVariable data("XDG_DATA_HOME", "/home/of/data");
   const SpeechPlaces places = SpeechPlaces::of_system();
   EXPECT_THAT(places.programs, ElementsAre("/a/b", "r", "/c"));
   EXPECT_THAT(places.voices, ElementsAre("/home/of/data/nazori/voices", "/usr/local/share/hts-voice",
@@ -68,7 +48,7 @@ TEST(SpeechPlaces, AreThoseOfTheSystemInTheirOrder) {
 }
 
 TEST(SpeechPlaces, WithoutAPathThereAreNoPrograms) {
-  const Variable path("PATH", "");
+  const test::EnvironmentVariable path("PATH", "");
   EXPECT_THAT(SpeechPlaces::of_system().programs, IsEmpty());
 }
 

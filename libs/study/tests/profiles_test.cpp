@@ -7,6 +7,7 @@
 
 #include <fstream>
 
+#include "environment_variable.h"
 #include "learner_fixture.h"
 
 namespace nazori::study {
@@ -18,34 +19,10 @@ using test::must;
 using test::TemporaryFolder;
 using testing::ElementsAre;
 
-/// Sets an environment variable and restores it when destroyed.
-class Variable {
- public:
-  Variable(const char* name, const char* value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    if (value != nullptr)
-      ::setenv(name, value, 1);
-    else
-      ::unsetenv(name);
-  }
-  ~Variable() {
-    if (before_)
-      ::setenv(name_, before_->c_str(), 1);
-    else
-      ::unsetenv(name_);
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
-
 std::string folder_with(const char* own, const char* data, const char* home) {
-  const Variable one("NAZORI_LEARNERS", own);
-  const Variable two("XDG_DATA_HOME", data);
-  const Variable three("HOME", home);
+  const nazori::test::EnvironmentVariable one("NAZORI_LEARNERS", own);
+  const nazori::test::EnvironmentVariable two("XDG_DATA_HOME", data);
+  const nazori::test::EnvironmentVariable three("HOME", home);
   const auto folder = profiles_folder();
   return folder ? folder->string() : base::to_line(folder.error());
 }
@@ -57,10 +34,10 @@ TEST(ProfilesFolder, IsThatOfTheEnvironmentElseOneOfTheDataElseOfTheHome) {
   EXPECT_EQ(folder_with(nullptr, "data", "/home/me"), "/home/me/.local/share/nazori/learners")
       << "the standard says that a relative folder is none";
   EXPECT_EQ(folder_with(nullptr, nullptr, "/home/me"), "/home/me/.local/share/nazori/learners");
-  const Variable one("NAZORI_LEARNERS", nullptr);
-  const Variable two("XDG_DATA_HOME", nullptr);
+  const nazori::test::EnvironmentVariable one("NAZORI_LEARNERS", nullptr);
+  const nazori::test::EnvironmentVariable two("XDG_DATA_HOME", nullptr);
   for (const char* home : {"", static_cast<const char*>(nullptr)}) {
-    const Variable three("HOME", home);
+    const nazori::test::EnvironmentVariable three("HOME", home);
     ASSERT_FALSE(profiles_folder());
     EXPECT_EQ(profiles_folder().error().code, Errc::not_found);
   }

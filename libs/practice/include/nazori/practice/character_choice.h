@@ -24,8 +24,8 @@ struct CharacterStanding {
 [[nodiscard]] CharacterStanding standing_of(const study::LearnerStore& store, char32_t character);
 
 /// Marks a character as known, which makes it come after about a week to be written from memory. A character
-/// that was suspended, or forgotten too often, comes again. It is no writing of the day, and one undo takes
-/// it back.
+/// that was suspended, or forgotten too often, comes again. It does not count as a writing of the day, and
+/// one undo takes it back.
 /// @return whether it was saved; why not is announced by the learner.
 bool mark_known(Learner& learner, char32_t character);
 

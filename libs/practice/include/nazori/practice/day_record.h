@@ -22,8 +22,8 @@ struct RecordedWriting {
   friend bool operator==(const RecordedWriting&, const RecordedWriting&) = default;
 };
 
-/// What was written from memory on some days. What was undone is no part of it, and neither is a character
-/// that was marked as known: nobody wrote it.
+/// What was written from memory on some days. It leaves out what was undone, and characters that were only
+/// marked as known.
 struct WritingRecord {
   study::Day first{};                     ///< of the days
   study::Day last{};                      ///< of the days; `first` for a single day

@@ -145,7 +145,7 @@ class LearnerStore {
     return act(characters, EntryKind::leech_met);
   }
   /// Characters are known: each is reviewed from memory later, resumed if it was suspended, and no longer
-  /// difficult. It is no writing of this day.
+  /// difficult. That does not count as a writing of this day.
   [[nodiscard]] base::Result<void> know(std::span<const KnownCharacter> known);
   /// All of it as one action, or nothing. undo() also brings back the settings of before and removes the list
   /// unless it was changed or is chosen meanwhile.
