@@ -3,7 +3,7 @@
 # Fails when a source file includes a header from a folder above its own. The order of the folders is a table in a document:
 # each row that begins with "| `FOLDER/` |" below the heading is one folder, the lowest first. A folder that the table does not
 # name, a row without a folder, a source file outside the folders and an include that names no folder fail too. A public
-# header of the module counts as part of the highest folder.
+# header of the module is part of the folder that it lies in; one that lies in none counts as part of the highest.
 # usage: check_folders.sh DOCUMENT HEADING SOURCES PUBLIC
 #   HEADING  the text of the heading above the table, without "## "
 #   SOURCES  the folder that holds the folders
@@ -57,7 +57,10 @@ done
     sub(/^[^"]*"/, "", included)
     sub(/".*/, "", included)
     to = included
-    if (index(included, public) == 1) to = names[count]
+    if (index(included, public) == 1) {
+      to = substr(included, length(public) + 1)
+      if (!sub(/\/.*/, "", to) || !(to in rank)) to = names[count]
+    }
     else if (included ~ /^nazori\//) next # another module; its CMake target decides
     else sub(/\/.*/, "", to)
     if (!(to in rank)) {

@@ -13,7 +13,7 @@
 #include "start/start_page.h"
 #include "study/home.h"
 #include "study/session_actions.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

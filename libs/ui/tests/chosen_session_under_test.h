@@ -2,7 +2,7 @@
 #pragma once
 
 #include "session_under_test.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 

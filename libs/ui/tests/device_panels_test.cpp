@@ -16,9 +16,9 @@
 #include "device/device_actions.h"
 #include "device/device_choice_panel.h"
 #include "device/feel_panel.h"
+#include "nazori/widgets/controls/number_slider.h"
+#include "nazori/widgets/tablet/window_tablet.h"
 #include "print_qt.h"
-#include "tablet/window_tablet.h"
-#include "widgets/number_slider.h"
 
 namespace nazori::ui {
 namespace {

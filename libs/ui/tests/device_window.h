@@ -6,7 +6,7 @@
 
 #include "characters/characters.h"
 #include "device/device_page.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "scripted_device.h"
 #include "window_under_test.h"
 

@@ -8,7 +8,7 @@
 #include <QTabletEvent>
 #include <QTest>
 
-#include "look/palette.h"
+#include "nazori/widgets/look/palette.h"
 #include "picture_under_test.h"
 
 namespace nazori::ui {

@@ -6,7 +6,7 @@
 #include <QImage>
 #include <QTest>
 
-#include "look/palette.h"
+#include "nazori/widgets/look/palette.h"
 
 namespace nazori::ui {
 namespace {

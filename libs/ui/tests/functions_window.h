@@ -7,7 +7,7 @@
 
 #include "characters/characters.h"
 #include "functions/functions_page.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui::test {

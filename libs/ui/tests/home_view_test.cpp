@@ -8,12 +8,12 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-#include "look/palette.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/study_words.h"
 #include "session_under_test.h"
 #include "study/home.h"
 #include "study/home_parts.h"
-#include "words/language.h"
-#include "words/study_words.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

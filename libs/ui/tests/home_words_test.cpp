@@ -6,13 +6,13 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "look/palette.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/trouble_words.h"
 #include "session_under_test.h"
 #include "study/home.h"
 #include "study/home_view.h"
 #include "study/period_picture.h"
-#include "words/language.h"
-#include "words/trouble_words.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

@@ -11,7 +11,7 @@
 #include <QTest>
 #include <QTextDocument>
 
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

@@ -23,7 +23,7 @@
 #include "nazori/study/profiles.h"
 #include "session_under_test.h"
 #include "study/settings_progress.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

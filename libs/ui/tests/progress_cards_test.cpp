@@ -14,16 +14,16 @@
 #include <QToolButton>
 
 #include "nazori/practice/study_charts.h"
+#include "nazori/widgets/charts/day_chart.h"
+#include "nazori/widgets/charts/study_charts.h"
 #include "progress/characters_card.h"
-#include "progress/day_chart.h"
 #include "progress/hard_strokes_card.h"
 #include "progress/progress_view.h"
 #include "progress/strength_grid.h"
-#include "progress/study_charts.h"
 #include "progress/year_view.h"
 #include "session_under_test.h"
 #include "study/list_choice.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

@@ -13,7 +13,7 @@
 #include "characters/search_words.h"
 #include "characters/standing_bar.h"
 #include "characters/table_picker.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a session announces at each step, and what it saves and sums up.
 #include "session_under_test.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

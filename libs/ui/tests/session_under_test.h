@@ -7,11 +7,11 @@
 #include <memory>
 #include <vector>
 
-#include "events/event_loop_inbox.h"
 #include "nazori/practice/study_session.h"
+#include "nazori/widgets/events/event_loop_inbox.h"
+#include "nazori/widgets/words/learner_words.h"
+#include "nazori/widgets/words/session_words.h"
 #include "print_qt.h"
-#include "words/learner_words.h"
-#include "words/session_words.h"
 
 namespace nazori::ui {
 

@@ -11,11 +11,11 @@
 #include <QWidget>
 
 #include "chosen_session_under_test.h"
+#include "nazori/widgets/controls/spoken_line.h"
+#include "nazori/widgets/words/study_words.h"
 #include "study/question_view.h"
 #include "study/session_answers.h"
 #include "study/session_bar.h"
-#include "widgets/spoken_line.h"
-#include "words/study_words.h"
 
 namespace nazori::ui {
 namespace {

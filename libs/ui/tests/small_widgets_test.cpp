@@ -15,10 +15,10 @@
 #include "characters/glyph_view.h"
 #include "characters/strictness_slider.h"
 #include "characters/writing_report.h"
-#include "look/palette.h"
+#include "nazori/widgets/look/palette.h"
 #include "picture_under_test.h"
 #include "study/ink_gallery.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

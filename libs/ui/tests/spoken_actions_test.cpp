@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 
 #include "characters/characters.h"
-#include "widgets/spoken_line.h"
+#include "nazori/widgets/controls/spoken_line.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -8,9 +8,9 @@
 #include "characters/stroke_counter.h"
 #include "hand_under_test.h"
 #include "nazori/practice/tracing_feedback.h"
-#include "tablet/window_tablet.h"
-#include "words/feedback_tone.h"
-#include "words/language.h"
+#include "nazori/widgets/tablet/window_tablet.h"
+#include "nazori/widgets/words/feedback_tone.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

@@ -5,10 +5,10 @@
 #include <map>
 
 #include "nazori/practice/study_charts.h"
+#include "nazori/widgets/charts/study_charts.h"
 #include "print_qt.h"
 #include "progress/strength_grid.h"
-#include "progress/study_charts.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

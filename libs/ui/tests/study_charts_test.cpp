@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "progress/study_charts.h"
+#include "nazori/widgets/charts/study_charts.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <set>
 
-#include "look/palette.h"
 #include "nazori/practice/study_charts.h"
+#include "nazori/widgets/look/palette.h"
 #include "print_qt.h"
 #include "progress/strength_grid.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

@@ -20,7 +20,7 @@
 #include "nazori/study/statistics.h"
 #include "session_under_test.h"
 #include "study/list_choice.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

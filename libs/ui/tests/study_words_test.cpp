@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "words/study_words.h"
+#include "nazori/widgets/words/study_words.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "test_paths.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "device_window.h"
-#include "events/signals.h"
 #include "hand_under_test.h"
+#include "nazori/widgets/events/signals.h"
 
 namespace nazori::ui {
 namespace {

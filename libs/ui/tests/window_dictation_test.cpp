@@ -9,7 +9,7 @@
 #include "hand_under_test.h"
 #include "nazori/practice/dictation_stage.h"
 #include "nazori/practice/stage_table.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -20,7 +20,7 @@
 #include "functions_window.h"
 #include "nazori/functions/plot.h"
 #include "nazori/functions/print_picture.h"
-#include "widgets/spoken_line.h"
+#include "nazori/widgets/controls/spoken_line.h"
 
 namespace nazori::ui {
 namespace {

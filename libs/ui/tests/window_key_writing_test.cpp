@@ -4,7 +4,7 @@
 
 #include "characters/characters.h"
 #include "characters/key_writing.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -5,7 +5,7 @@
 #include <QMenuBar>
 #include <QToolBar>
 
-#include "widgets/focus_frame.h"
+#include "nazori/widgets/controls/focus_frame.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -2,7 +2,7 @@
 // What is announced for a stroke in the wrong order, at once and with the numbers of the model.
 #include "characters/characters.h"
 #include "hand_under_test.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "characters/characters.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -16,13 +16,13 @@
 #include <QToolButton>
 #include <utility>
 
-#include "dialogs/save_dialog.h"
-#include "widgets/feedback_line.h"
-#include "widgets/flow_layout.h"
-#include "widgets/key_guard.h"
-#include "widgets/panes.h"
+#include "nazori/widgets/controls/feedback_line.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/key_guard.h"
+#include "nazori/widgets/controls/panes.h"
+#include "nazori/widgets/dialogs/save_dialog.h"
+#include "nazori/widgets/words/error_text.h"
 #include "window/page_rail.h"
-#include "words/error_text.h"
 
 namespace nazori::ui {
 namespace {

@@ -2,7 +2,7 @@
 // Watching, tracing and guided writing, step by step: what is shown, snapped and announced.
 #include "characters/characters.h"
 #include "hand_under_test.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -10,13 +10,13 @@
 #include <QToolButton>
 
 #include "characters/characters.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/charts/day_chart.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "progress/characters_card.h"
-#include "progress/day_chart.h"
 #include "progress/progress.h"
 #include "progress/progress_view.h"
 #include "progress/strength_grid.h"
-#include "progress/study_charts.h"
 #include "progress/year_view.h"
 #include "window_under_test.h"
 

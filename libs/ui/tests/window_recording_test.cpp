@@ -10,11 +10,11 @@
 
 #include "characters/characters.h"
 #include "device/device_page.h"
-#include "events/signals.h"
 #include "nazori/recording/recording_file.h"
 #include "nazori/recording/sample_csv.h"
-#include "page/window_parts.h"
-#include "settings/stored_settings.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/settings/stored_settings.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "nazori/widgets/controls/spoken_line.h"
 #include "study_under_test.h"
-#include "widgets/spoken_line.h"
 
 namespace nazori::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
-#include "look/palette.h"
+#include "nazori/widgets/look/palette.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

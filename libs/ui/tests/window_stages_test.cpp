@@ -10,7 +10,7 @@
 #include "characters/characters.h"
 #include "characters/compare_view.h"
 #include "hand_under_test.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

@@ -13,11 +13,11 @@
 
 #include "characters/characters.h"
 #include "hand_under_test.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/controls/input_watch.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "start/check_page.h"
 #include "start/start_page.h"
 #include "study/home.h"
-#include "widgets/input_watch.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

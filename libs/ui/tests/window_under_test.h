@@ -11,13 +11,13 @@
 #include <QTest>
 #include <memory>
 
-#include "look/appearance.h"
 #include "nazori/devices/device_catalogue.h"
 #include "nazori/ui/main_window.h"
-#include "page/page.h"
+#include "nazori/widgets/look/appearance.h"
+#include "nazori/widgets/page/page.h"
+#include "nazori/widgets/settings/preferences.h"
 #include "print_qt.h"
-#include "settings/preferences.h"
-#include "words/language.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 

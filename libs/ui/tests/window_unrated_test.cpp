@@ -12,7 +12,7 @@
 #include "characters/character_actions.h"
 #include "characters/characters.h"
 #include "hand_under_test.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "study/home.h"
 #include "window_under_test.h"
 

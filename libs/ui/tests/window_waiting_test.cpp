@@ -13,13 +13,13 @@
 #include "nazori/study/backups.h"
 #include "nazori/study/character_lists.h"
 #include "nazori/study/store_filling.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/learner_words.h"
 #include "progress/progress.h"
 #include "study/home.h"
 #include "study/settings_progress.h"
 #include "watchdog.h"
 #include "window_under_test.h"
-#include "words/learner_words.h"
 
 namespace nazori::ui {
 namespace {

@@ -12,9 +12,9 @@
 #include "characters/draw_panel.h"
 #include "characters/drawing_pad.h"
 #include "hand_under_test.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "window_under_test.h"
-#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

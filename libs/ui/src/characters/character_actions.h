@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "widgets/action_set.h"
+#include "nazori/widgets/controls/action_set.h"
 
 namespace nazori::ui {
 

@@ -2,8 +2,8 @@
 #include "characters/character_list_model.h"
 
 #include "characters/search_words.h"
-#include "progress/study_charts.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 

@@ -5,10 +5,10 @@
 #include <QPainter>
 
 #include "characters/character_list_model.h"
-#include "look/palette.h"
 #include "nazori/practice/strengths.h"
-#include "progress/role_colours.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/charts/role_colours.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "nazori/practice/character_practice.h"
-#include "page/page.h"
+#include "nazori/widgets/page/page.h"
 
 namespace nazori::ui {
 

@@ -6,13 +6,13 @@
 #include "characters/drill_dialog.h"
 #include "characters/information_panel.h"
 #include "characters/standing_bar.h"
-#include "events/signals.h"
 #include "nazori/practice/character_choice.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/study_words.h"
 #include "study/session_actions.h"
 #include "study/study_dialogs.h"
-#include "words/kanji_text.h"
-#include "words/study_words.h"
 
 namespace nazori::ui {
 

@@ -6,16 +6,16 @@
 #include "characters/information_panel.h"
 #include "characters/library_panel.h"
 #include "characters/writing_report.h"
-#include "events/signals.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "study/question_view.h"
 #include "study/session_actions.h"
 #include "study/session_answers.h"
 #include "study/session_bar.h"
 #include "study/session_panel.h"
 #include "study/study_dialogs.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
 
 namespace nazori::ui {
 

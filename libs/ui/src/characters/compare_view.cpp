@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "look/icons.h"
-#include "look/ink_painting.h"
-#include "look/palette.h"
+#include "nazori/widgets/look/icons.h"
+#include "nazori/widgets/look/ink_painting.h"
+#include "nazori/widgets/look/palette.h"
 
 namespace nazori::ui {
 namespace {

@@ -8,10 +8,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "look/palette.h"
 #include "nazori/practice/confusables.h"
-#include "widgets/flow_layout.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

@@ -13,13 +13,13 @@
 
 #include "characters/candidate_delegate.h"
 #include "characters/drawing_pad.h"
-#include "events/signals.h"
 #include "nazori/kanji/kana.h"
-#include "widgets/flow_layout.h"
-#include "widgets/parts.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
-#include "words/writing_language.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/writing_language.h"
 
 namespace nazori::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <cstdint>
 
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
 
 class QComboBox;
 class QLabel;

@@ -6,8 +6,8 @@
 #include <QTabletEvent>
 #include <algorithm>
 
-#include "look/ink_painting.h"
-#include "look/palette.h"
+#include "nazori/widgets/look/ink_painting.h"
+#include "nazori/widgets/look/palette.h"
 
 namespace nazori::ui {
 namespace {

@@ -4,9 +4,9 @@
 #include <QFontInfo>
 #include <QPainter>
 
-#include "look/ink_painting.h"
-#include "look/palette.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/look/ink_painting.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 

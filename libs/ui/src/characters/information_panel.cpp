@@ -12,12 +12,12 @@
 #include "characters/confusable_view.h"
 #include "characters/glyph_view.h"
 #include "characters/word_label.h"
-#include "look/palette.h"
 #include "nazori/kanji/kana.h"
 #include "nazori/kanji/meanings.h"
-#include "widgets/flow_layout.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "characters/character_actions.h"
-#include "page/window_parts.h"
-#include "widgets/parts.h"
-#include "words/error_text.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/error_text.h"
 
 namespace nazori::ui {
 namespace {

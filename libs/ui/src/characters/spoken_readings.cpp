@@ -7,10 +7,10 @@
 #include <QSignalBlocker>
 
 #include "characters/character_actions.h"
-#include "events/signals.h"
-#include "page/window_parts.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 

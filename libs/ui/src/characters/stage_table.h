@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "look/icons.h"
 #include "nazori/practice/practice_stage.h"
+#include "nazori/widgets/look/icons.h"
 
 namespace nazori::ui {
 

@@ -5,10 +5,10 @@
 
 #include "characters/character_actions.h"
 #include "characters/stage_words.h"
-#include "events/signals.h"
 #include "nazori/practice/practice_stage.h"
-#include "page/page.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/page.h"
+#include "nazori/widgets/page/window_parts.h"
 
 namespace nazori::ui {
 

@@ -7,9 +7,9 @@
 
 #include "characters/stroke_words.h"
 #include "nazori/kanji/meanings.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
-#include "words/writing_language.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/writing_language.h"
 
 namespace nazori::ui {
 

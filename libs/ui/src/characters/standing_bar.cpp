@@ -7,10 +7,10 @@
 #include <QVBoxLayout>
 
 #include "nazori/practice/strengths.h"
-#include "progress/study_charts.h"
-#include "widgets/flow_layout.h"
-#include "words/kanji_text.h"
-#include "words/study_words.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/study_words.h"
 
 namespace nazori::ui {
 

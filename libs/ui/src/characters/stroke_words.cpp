@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/stroke_words.h"
 
-#include "words/kanji_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 

@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/flow_layout.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 

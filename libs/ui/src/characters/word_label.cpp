@@ -4,10 +4,10 @@
 #include <QFontInfo>
 #include <QRegularExpression>
 
-#include "look/palette.h"
 #include "nazori/base/utf8.h"
 #include "nazori/kanji/kana.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

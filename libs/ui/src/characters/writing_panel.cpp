@@ -10,7 +10,7 @@
 #include "characters/compare_view.h"
 #include "characters/strictness_slider.h"
 #include "characters/writing_report.h"
-#include "widgets/parts.h"
+#include "nazori/widgets/controls/parts.h"
 
 namespace nazori::ui {
 namespace {

@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/writing_language.h"
 #include "nazori/writing/explanation.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
-#include "words/writing_language.h"
 
 namespace nazori::ui {
 namespace {

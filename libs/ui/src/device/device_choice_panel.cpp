@@ -14,10 +14,10 @@
 
 #include "device/button_lines.h"
 #include "device/device_actions.h"
-#include "widgets/number_slider.h"
-#include "widgets/parts.h"
-#include "words/device_text.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/controls/number_slider.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/device_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

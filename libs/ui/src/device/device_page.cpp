@@ -8,12 +8,12 @@
 #include "device/device_actions.h"
 #include "device/device_choice_panel.h"
 #include "device/feel_panel.h"
-#include "events/signals.h"
 #include "nazori/tablet/trial_tablet.h"
-#include "settings/stored_settings.h"
-#include "words/device_text.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/settings/stored_settings.h"
+#include "nazori/widgets/words/device_text.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 

@@ -4,8 +4,8 @@
 #include <QTimer>
 
 #include "nazori/devices/device_setup.h"
-#include "page/page.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/page.h"
+#include "nazori/widgets/page/window_parts.h"
 
 namespace nazori::ui {
 

@@ -12,9 +12,9 @@
 
 #include "device/device_actions.h"
 #include "nazori/devices/tablet_device.h"
-#include "widgets/flow_layout.h"
-#include "widgets/number_slider.h"
-#include "widgets/parts.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/number_slider.h"
+#include "nazori/widgets/controls/parts.h"
 
 namespace nazori::ui {
 namespace {

@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "look/palette.h"
+#include "nazori/widgets/look/palette.h"
 
 namespace nazori::ui {
 

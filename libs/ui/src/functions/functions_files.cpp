@@ -7,8 +7,8 @@
 #include "functions/functions_page.h"
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
-#include "page/window_parts.h"
-#include "words/error_text.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/error_text.h"
 
 namespace nazori::ui {
 

@@ -11,9 +11,9 @@
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
-#include "page/window_parts.h"
-#include "settings/stored_settings.h"
-#include "words/error_text.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/settings/stored_settings.h"
+#include "nazori/widgets/words/error_text.h"
 
 namespace nazori::ui {
 namespace {

@@ -4,13 +4,13 @@
 #include <QTimer>
 #include <optional>
 
-#include "events/event_loop_inbox.h"
 #include "nazori/functions/plot_explorer.h"
 #include "nazori/functions/plot_export.h"
 #include "nazori/functions/plot_model.h"
 #include "nazori/practice/plot_hand.h"
 #include "nazori/practice/tablet_plot.h"
-#include "page/page.h"
+#include "nazori/widgets/events/event_loop_inbox.h"
+#include "nazori/widgets/page/page.h"
 
 namespace nazori::ui {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sound of a plot: at the hand, by key, and the sweep along a curve.
-#include "events/signals.h"
 #include "functions/function_actions.h"
 #include "functions/function_sound.h"
 #include "functions/functions_page.h"
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
-#include "page/window_parts.h"
-#include "words/error_text.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/error_text.h"
 
 namespace nazori::ui {
 void FunctionsPage::connect_sound() {

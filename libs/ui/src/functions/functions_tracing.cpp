@@ -10,8 +10,8 @@
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
-#include "page/window_parts.h"
-#include "widgets/parts.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/page/window_parts.h"
 
 namespace nazori::ui {
 namespace {

@@ -20,12 +20,12 @@
 
 #include "functions/expression_line.h"
 #include "functions/plot_words.h"
-#include "look/icons.h"
-#include "look/palette.h"
 #include "nazori/functions/plot_examples.h"
 #include "nazori/functions/plot_model.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/look/icons.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "functions/plot_words.h"
-#include "widgets/parts.h"
+#include "nazori/widgets/controls/parts.h"
 
 namespace nazori::ui {
 namespace {

@@ -11,11 +11,11 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "events/signals.h"
 #include "learners/exchange_progress.h"
-#include "progress/study_charts.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

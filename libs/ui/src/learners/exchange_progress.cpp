@@ -6,11 +6,11 @@
 #include <QLocale>
 #include <QProgressDialog>
 
-#include "dialogs/work_dialog.h"
-#include "events/signals.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
-#include "words/learner_words.h"
+#include "nazori/widgets/dialogs/work_dialog.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/learner_words.h"
 
 namespace nazori::ui {
 

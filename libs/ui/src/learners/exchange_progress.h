@@ -5,7 +5,7 @@
 #include <QPointer>
 
 #include "nazori/practice/learner_exchange.h"
-#include "words/feedback.h"
+#include "nazori/widgets/words/feedback.h"
 
 class QProgressDialog;
 

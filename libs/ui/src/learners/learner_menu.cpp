@@ -9,9 +9,9 @@
 #include "learners/exchange_progress.h"
 #include "learners/learner_actions.h"
 #include "learners/learners_dialog.h"
-#include "page/window_parts.h"
-#include "words/kanji_text.h"
-#include "words/learner_words.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/learner_words.h"
 
 namespace nazori::ui {
 

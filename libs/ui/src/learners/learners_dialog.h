@@ -4,7 +4,7 @@
 #include <QDialog>
 
 #include "nazori/practice/learner.h"
-#include "words/feedback.h"
+#include "nazori/widgets/words/feedback.h"
 
 class QLabel;
 class QLineEdit;

@@ -7,9 +7,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "progress/study_charts.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/controls/parts.h"
 #include "progress/year_view.h"
-#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {

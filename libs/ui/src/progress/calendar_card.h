@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nazori/study/statistics.h"
-#include "progress/chart_card.h"
+#include "nazori/widgets/charts/chart_card.h"
 
 class QLabel;
 class QToolButton;

@@ -4,7 +4,7 @@
 #include "nazori/study/character_lists.h"
 #include "nazori/study/learner_store.h"
 #include "nazori/study/statistics.h"
-#include "progress/chart_card.h"
+#include "nazori/widgets/charts/chart_card.h"
 
 namespace nazori::ui {
 

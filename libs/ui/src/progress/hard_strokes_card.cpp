@@ -6,12 +6,12 @@
 #include <QLocale>
 #include <QPainter>
 
-#include "look/ink_painting.h"
-#include "look/palette.h"
 #include "nazori/geometry/point.h"
-#include "progress/study_charts.h"
-#include "words/kanji_text.h"
-#include "words/trouble_words.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/look/ink_painting.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/trouble_words.h"
 
 namespace nazori::ui {
 namespace {

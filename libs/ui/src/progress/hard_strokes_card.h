@@ -7,7 +7,7 @@
 
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/study/statistics.h"
-#include "progress/chart_card.h"
+#include "nazori/widgets/charts/chart_card.h"
 
 class QListWidget;
 

@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <array>
 
-#include "events/signals.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/settings/stored_settings.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "progress/characters_card.h"
 #include "progress/progress_actions.h"
 #include "progress/progress_view.h"
-#include "settings/stored_settings.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

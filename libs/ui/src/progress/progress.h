@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nazori/practice/statistics_reader.h"
-#include "page/page.h"
+#include "nazori/widgets/page/page.h"
 
 namespace nazori::ui {
 

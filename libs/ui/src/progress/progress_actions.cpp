@@ -2,7 +2,7 @@
 #include "progress/progress_actions.h"
 
 #include "nazori/practice/study_charts.h"
-#include "progress/study_charts.h"
+#include "nazori/widgets/charts/study_charts.h"
 
 namespace nazori::ui {
 

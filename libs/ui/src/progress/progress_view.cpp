@@ -16,12 +16,12 @@
 #include "nazori/practice/extra_study.h"
 #include "nazori/practice/milestones.h"
 #include "nazori/practice/study_charts.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/controls/parts.h"
 #include "progress/calendar_card.h"
 #include "progress/characters_card.h"
 #include "progress/hard_strokes_card.h"
-#include "progress/study_charts.h"
 #include "study/home_words.h"
-#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "nazori/practice/learner.h"
 #include "nazori/practice/statistics_reader.h"
-#include "progress/chart_card.h"
+#include "nazori/widgets/charts/chart_card.h"
 
 class QComboBox;
 class QGridLayout;

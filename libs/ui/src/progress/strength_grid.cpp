@@ -5,9 +5,9 @@
 #include <QPainter>
 
 #include "nazori/practice/strengths.h"
-#include "progress/role_colours.h"
-#include "progress/study_charts.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/charts/role_colours.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 

@@ -6,8 +6,8 @@
 #include <QStyledItemDelegate>
 #include <vector>
 
-#include "look/palette.h"
 #include "nazori/study/statistics.h"
+#include "nazori/widgets/look/palette.h"
 
 namespace nazori::ui {
 

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <utility>
 
-#include "look/palette.h"
-#include "progress/study_charts.h"
-#include "words/study_words.h"
+#include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/study_words.h"
 
 namespace nazori::ui {
 namespace {

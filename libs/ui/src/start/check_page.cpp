@@ -9,12 +9,12 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "events/signals.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/error_text.h"
 #include "start/start_words.h"
-#include "widgets/flow_layout.h"
-#include "widgets/parts.h"
-#include "words/error_text.h"
 
 namespace nazori::ui {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "page/page.h"
+#include "nazori/widgets/page/page.h"
 
 class QFrame;
 class QLabel;

@@ -6,9 +6,9 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "look/palette.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

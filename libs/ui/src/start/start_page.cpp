@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "events/signals.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/controls/input_watch.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/device_text.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/learner_words.h"
 #include "start/start_view.h"
-#include "widgets/input_watch.h"
-#include "words/device_text.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
-#include "words/learner_words.h"
 
 namespace nazori::ui {
 

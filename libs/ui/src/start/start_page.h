@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "nazori/practice/learning_choices.h"
-#include "page/page.h"
+#include "nazori/widgets/page/page.h"
 
 namespace nazori::ui {
 

@@ -13,11 +13,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "start/choice_button.h"
 #include "start/start_words.h"
-#include "widgets/flow_layout.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

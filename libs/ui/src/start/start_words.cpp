@@ -3,8 +3,8 @@
 
 #include <QLocale>
 
-#include "words/kanji_text.h"
-#include "words/study_words.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/study_words.h"
 
 namespace nazori::ui {
 

@@ -3,14 +3,14 @@
 
 #include <QFileDialog>
 
-#include "events/signals.h"
 #include "nazori/practice/day_record.h"
 #include "nazori/practice/extra_study.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/error_text.h"
 #include "study/home_view.h"
 #include "study/period_picture.h"
 #include "study/study_dialogs.h"
-#include "words/error_text.h"
 
 namespace nazori::ui {
 namespace {

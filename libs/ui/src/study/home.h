@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <vector>
 
-#include "page/page.h"
+#include "nazori/widgets/page/page.h"
 
 namespace nazori::ui {
 

@@ -11,11 +11,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "look/ink_painting.h"
-#include "look/palette.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/look/ink_painting.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "study/home_words.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

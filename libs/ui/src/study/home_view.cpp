@@ -15,16 +15,16 @@
 
 #include "nazori/practice/extra_study.h"
 #include "nazori/practice/hard_characters.h"
-#include "settings/preferences.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/settings/preferences.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/learner_words.h"
+#include "nazori/widgets/words/study_words.h"
+#include "nazori/widgets/words/trouble_words.h"
 #include "study/home.h"
 #include "study/home_parts.h"
 #include "study/home_words.h"
-#include "widgets/flow_layout.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
-#include "words/learner_words.h"
-#include "words/study_words.h"
-#include "words/trouble_words.h"
 
 namespace nazori::ui {
 namespace {

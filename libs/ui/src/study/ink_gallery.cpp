@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "look/ink_painting.h"
-#include "look/palette.h"
+#include "nazori/widgets/look/ink_painting.h"
+#include "nazori/widgets/look/palette.h"
 
 namespace nazori::ui {
 namespace {

@@ -10,9 +10,9 @@
 #include <QPushButton>
 
 #include "nazori/base/file.h"
-#include "widgets/parts.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

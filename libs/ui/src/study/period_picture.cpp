@@ -8,11 +8,11 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "look/ink_painting.h"
-#include "look/palette.h"
 #include "nazori/base/file.h"
-#include "words/kanji_text.h"
-#include "words/study_words.h"
+#include "nazori/widgets/look/ink_painting.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/study_words.h"
 
 namespace nazori::ui {
 namespace {

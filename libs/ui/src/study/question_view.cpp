@@ -12,13 +12,13 @@
 #include <initializer_list>
 #include <utility>
 
-#include "look/palette.h"
 #include "nazori/base/utf8.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/controls/spoken_line.h"
+#include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/study_words.h"
 #include "study/session_text_size.h"
-#include "widgets/parts.h"
-#include "widgets/spoken_line.h"
-#include "words/kanji_text.h"
-#include "words/study_words.h"
 
 namespace nazori::ui {
 namespace {

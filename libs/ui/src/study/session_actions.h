@@ -4,8 +4,8 @@
 #include <array>
 
 #include "nazori/practice/study_session.h"
-#include "settings/preferences.h"
-#include "widgets/action_set.h"
+#include "nazori/widgets/controls/action_set.h"
+#include "nazori/widgets/settings/preferences.h"
 
 namespace nazori::ui {
 

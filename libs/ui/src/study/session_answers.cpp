@@ -10,9 +10,9 @@
 #include <algorithm>
 
 #include "nazori/practice/session_steps.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/study_words.h"
 #include "study/session_text_size.h"
-#include "widgets/parts.h"
-#include "words/study_words.h"
 
 namespace nazori::ui {
 namespace {

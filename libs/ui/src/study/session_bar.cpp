@@ -13,9 +13,9 @@
 #include <initializer_list>
 
 #include "nazori/practice/session_steps.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/session_words.h"
 #include "study/session_text_size.h"
-#include "widgets/parts.h"
-#include "words/session_words.h"
 
 namespace nazori::ui {
 namespace {

@@ -6,10 +6,10 @@
 #include <initializer_list>
 
 #include "nazori/practice/character_history.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/study_words.h"
 #include "study/ink_gallery.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
-#include "words/study_words.h"
 
 namespace nazori::ui {
 namespace {

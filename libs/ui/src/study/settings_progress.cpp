@@ -3,9 +3,9 @@
 
 #include <QProgressDialog>
 
-#include "dialogs/work_dialog.h"
-#include "events/signals.h"
-#include "words/error_text.h"
+#include "nazori/widgets/dialogs/work_dialog.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/words/error_text.h"
 
 namespace nazori::ui {
 

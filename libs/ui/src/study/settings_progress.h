@@ -5,7 +5,7 @@
 #include <QPointer>
 
 #include "nazori/practice/settings_change.h"
-#include "words/feedback.h"
+#include "nazori/widgets/words/feedback.h"
 
 class QProgressDialog;
 

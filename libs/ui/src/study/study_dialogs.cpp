@@ -5,11 +5,11 @@
 #include <QRegularExpression>
 
 #include "nazori/practice/character_choice.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "study/settings_progress.h"
 #include "study/study_settings_dialog.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
 
 namespace nazori::ui {
 

@@ -18,12 +18,12 @@
 #include <cmath>
 
 #include "nazori/study/statistics.h"
-#include "widgets/flow_layout.h"
-#include "widgets/number_slider.h"
-#include "widgets/parts.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
-#include "words/learner_words.h"
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/number_slider.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/learner_words.h"
 
 namespace nazori::ui {
 

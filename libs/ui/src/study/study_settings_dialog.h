@@ -5,7 +5,7 @@
 
 #include "nazori/practice/learner.h"
 #include "nazori/study/pace.h"
-#include "settings/preferences.h"
+#include "nazori/widgets/settings/preferences.h"
 
 class QCheckBox;
 class QComboBox;

@@ -11,13 +11,13 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "study/list_choice.h"
 #include "study/new_list_dialog.h"
 #include "study/study_settings_dialog.h"
-#include "widgets/flow_layout.h"
-#include "widgets/parts.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
 
 namespace nazori::ui {
 

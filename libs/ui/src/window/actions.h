@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "page/page.h"
-#include "widgets/action_set.h"
+#include "nazori/widgets/controls/action_set.h"
+#include "nazori/widgets/page/page.h"
 
 class QActionGroup;
 class QMenuBar;

@@ -2,7 +2,7 @@
 #include "window/back_ends.h"
 
 #include "nazori/devices/every_back_end.h"
-#include "settings/stored_settings.h"
+#include "nazori/widgets/settings/stored_settings.h"
 
 namespace nazori::ui {
 

@@ -8,8 +8,8 @@
 
 #include "nazori/audio/stroke_sound.h"
 #include "nazori/ui/main_window.h"
-#include "page/page.h"
-#include "page/window_parts.h"
+#include "nazori/widgets/page/page.h"
+#include "nazori/widgets/page/window_parts.h"
 
 class QStackedWidget;
 

@@ -6,21 +6,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dialogs/about_dialog.h"
-#include "dialogs/key_list_dialog.h"
-#include "events/signals.h"
-#include "look/appearance.h"
 #include "nazori/practice/session_question.h"
-#include "tablet/tablet_window.h"
-#include "widgets/feedback_line.h"
-#include "widgets/panes.h"
-#include "widgets/status_line.h"
+#include "nazori/widgets/controls/feedback_line.h"
+#include "nazori/widgets/controls/panes.h"
+#include "nazori/widgets/controls/status_line.h"
+#include "nazori/widgets/dialogs/about_dialog.h"
+#include "nazori/widgets/dialogs/key_list_dialog.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/look/appearance.h"
+#include "nazori/widgets/tablet/tablet_window.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "window/actions.h"
 #include "window/main_window_inside.h"
 #include "window/page_rail.h"
 #include "window/tool_bar.h"
-#include "words/error_text.h"
-#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {

@@ -2,7 +2,7 @@
 #include "characters/characters.h"
 #include "device/device_page.h"
 #include "functions/functions_page.h"
-#include "page/page.h"
+#include "nazori/widgets/page/page.h"
 #include "progress/progress.h"
 #include "start/check_page.h"
 #include "start/start_page.h"

@@ -6,12 +6,12 @@
 #include <QSurfaceFormat>
 #include <utility>
 
-#include "look/appearance.h"
-#include "look/icons.h"
-#include "settings/preferences.h"
-#include "tablet/tablet_window.h"
-#include "words/error_text.h"
-#include "words/language.h"
+#include "nazori/widgets/look/appearance.h"
+#include "nazori/widgets/look/icons.h"
+#include "nazori/widgets/settings/preferences.h"
+#include "nazori/widgets/tablet/tablet_window.h"
+#include "nazori/widgets/words/error_text.h"
+#include "window/language.h"
 
 namespace nazori::ui {
 

@@ -5,7 +5,7 @@
 #include <QEvent>
 #include <utility>
 
-#include "widgets/feedback_line.h"
+#include "nazori/widgets/controls/feedback_line.h"
 
 namespace nazori::ui {
 namespace {

@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
-#include "widgets/parts.h"
+#include "nazori/widgets/controls/parts.h"
 #include "window/actions.h"
 
 namespace nazori::ui {

@@ -3,7 +3,7 @@
 
 #include <QToolBar>
 
-#include "page/page.h"
+#include "nazori/widgets/page/page.h"
 
 class QToolButton;
 

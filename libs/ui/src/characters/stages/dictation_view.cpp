@@ -11,10 +11,10 @@
 #include "characters/writing_panel.h"
 #include "nazori/practice/dictation_stage.h"
 #include "nazori/practice/model_fit.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/writing_language.h"
 #include "nazori/writing/explanation.h"
-#include "widgets/parts.h"
-#include "words/kanji_text.h"
-#include "words/writing_language.h"
 
 namespace nazori::ui {
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/widgets/controls/feedback_line.h"
+
+#include <QEvent>
+#include <QFontInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QResizeEvent>
+
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/controls/spoken_line.h"
+#include "nazori/widgets/look/icons.h"
+#include "nazori/widgets/look/palette.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kRoomForTwo_em = 32;
+constexpr int kMargin_px = 9;
+constexpr double kCompact = 0.72;
+
+}  // namespace
+
+FeedbackLine::FeedbackLine(QWidget* parent)
+    : QFrame(parent),
+      sign_(named(new QLabel(this), "feedback_sign")),
+      text_(text_label("feedback_text", this)),
+      spoken_(new SpokenLine(this)) {
+  setObjectName(QStringLiteral("feedback_line"));
+  setAccessibleName(tr("Feedback"));
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, kMargin_px, 16, kMargin_px);
+  row->setSpacing(10);
+  row->addWidget(sign_, 0, Qt::AlignVCenter);
+  row->addWidget(text_, 1);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+  draw_sign();
+}
+
+void FeedbackLine::announce(Feedback kind, const QString& sentence) {
+  kind_ = kind;
+  draw_sign();
+  if (text_->text() == sentence) return;
+  text_->setText(sentence);
+  speak(sentence);
+}
+
+void FeedbackLine::respond(Feedback kind, const QString& sentence) {
+  if (text_->text() != sentence) return announce(kind, sentence);
+  kind_ = kind;
+  draw_sign();
+  speak(sentence);
+}
+
+void FeedbackLine::speak(const QString& sentence) {
+  text_->setAccessibleName(sentence);
+  setAccessibleDescription(sentence);
+  if (!sentence.isEmpty()) ++times_spoken_;
+  spoken_->speak(kind_ == Feedback::hint ? Urgency::queued : Urgency::at_once, sentence);
+}
+
+void FeedbackLine::speak_unseen(const QString& sentence) {
+  ++times_spoken_;
+  spoken_->speak(Urgency::queued, sentence);
+}
+
+QString FeedbackLine::sentence() const { return text_->text(); }
+
+void FeedbackLine::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) draw_sign();
+  if (event->type() == QEvent::FontChange) fit();
+}
+
+void FeedbackLine::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fit();
+}
+
+void FeedbackLine::set_compact(bool is_compact) {
+  if (is_compact == is_compact_) return;
+  is_compact_ = is_compact;
+  fit();
+}
+
+void FeedbackLine::fit() {
+  QFont own = font();
+  if (is_compact_) own.setPointSizeF(own.pointSizeF() * kCompact);
+  if (text_->font() != own) text_->setFont(own);
+  const int margin = is_compact_ ? kMargin_px / 3 : kMargin_px;
+  layout()->setContentsMargins(16, margin, 16, margin);
+  // Always reserves two lines, so that the tablet above does not move under the pen. In a low window with
+  // large text that space is needed elsewhere.
+  const bool roomy = window()->height() >= kRoomForTwo_em * QFontInfo(font()).pixelSize();
+  const int height = (roomy ? 2 : 1) * text_->fontMetrics().lineSpacing();
+  if (text_->minimumHeight() != height) text_->setMinimumHeight(height);
+}
+
+void FeedbackLine::draw_sign() {
+  const Colours& c = current_colours();
+  const int side = QFontInfo(font()).pixelSize() * 5 / 4;
+  switch (kind_) {
+    case Feedback::hint:
+      sign_->setPixmap(sign(Icon::hint, c.muted, side, devicePixelRatioF()));
+      break;
+    case Feedback::good:
+      sign_->setPixmap(sign(Icon::tick, c.moss, side, devicePixelRatioF()));
+      break;
+    case Feedback::advice:
+      sign_->setPixmap(sign(Icon::advice, c.amber, side, devicePixelRatioF()));
+      break;
+    case Feedback::wrong:
+      sign_->setPixmap(sign(Icon::cross, c.vermilion, side, devicePixelRatioF()));
+      break;
+  }
+}
+
+}  // namespace nazori::ui
