@@ -78,6 +78,7 @@ base::Result<TabletPainter> TabletPainter::create(const Look& look) {
 view::Picture TabletPainter::paint(const tablet::CarvedTablet& tablet, const view::Overlay& overlay) {
   view_->set_height_map(tablet.height_map(), tablet.shape());
   view_->set_strokes(tablet::centre_lines(tablet.lines()));
+  view_->set_labels(tablet.labels());
   const double scale = std::max(1.0, std::min(size_.width, size_.height) / kNominalSide);
   view_->draw(size_.width, size_.height, scale, overlay);
   return context_->read();

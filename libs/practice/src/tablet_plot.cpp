@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "nazori/functions/axis_labels.h"
+
 namespace nazori::practice {
 
 base::Result<TabletPlot> on_tablet(functions::Drawing&& drawing) {
@@ -18,7 +20,13 @@ base::Result<TabletPlot> on_tablet(functions::Drawing&& drawing) {
   zones->size = heights.size();
   zones->zone = drawing.friction.zone;
   zones->added = drawing.friction.added;
-  auto carved = tablet::CarvedTablet::from_height_map(heights, std::move(lines), shape, std::move(zones));
+  // A surface has no ticks.
+  const auto& request = drawing.request;
+  auto labels = request.plot.is_surface()
+                    ? std::vector<geometry::Label>{}
+                    : functions::axis_labels(request.window, request.plate.layers, shape);
+  auto carved = tablet::CarvedTablet::from_height_map(heights, std::move(lines), shape, std::move(zones),
+                                                      std::move(labels));
   if (!carved) return tl::unexpected(std::move(carved.error()));
   return TabletPlot{std::make_shared<const functions::Drawing>(std::move(drawing)), std::move(*carved)};
 }

@@ -128,7 +128,7 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_lines(
 
 base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_height_map(
     surface::HeightMap map, std::vector<TabletLine> lines, const geometry::TabletShape& shape,
-    std::shared_ptr<const haptics::FrictionZones> friction) {
+    std::shared_ptr<const haptics::FrictionZones> friction, std::vector<geometry::Label> labels) {
   if (auto ok = check_shape(shape); !ok) return tl::unexpected(std::move(ok.error()));
   if (auto ok = check_lines(lines); !ok) return tl::unexpected(std::move(ok.error()));
   if (friction && friction->size != map.size())
@@ -149,6 +149,7 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_height_map(
   tablet->lines_ = std::move(lines);
   tablet->shape_ = shape;
   tablet->friction_ = std::move(friction);
+  tablet->labels_ = std::move(labels);
   tablet->surface_ = std::move(*surface);
   return tablet;
 }

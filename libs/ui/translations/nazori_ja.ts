@@ -2613,6 +2613,10 @@ Columns and rows:</source>
         <source>A surface has no lines to print.</source>
         <translation>曲面には印刷する線がありません。</translation>
     </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::HardStrokesCard</name>
@@ -3925,6 +3929,21 @@ Columns and rows:</source>
     <message>
         <source>Pages</source>
         <translation>ページ</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::ParameterSliders</name>
+    <message>
+        <source>Parameter %1</source>
+        <translation>パラメーター %1</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3. Left and Right: one step. Page Up and Page Down: ten steps</source>
+        <translation>%1 は %2 から %3 まで。左右キーで 1 目盛り、Page Up と Page Down で 10 目盛り動きます</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
     </message>
 </context>
 <context>

@@ -21,12 +21,13 @@ constexpr int kColumns = 8;
 /// Height of the digits as a fraction of the cell, for numbers of one, two and more digits.
 constexpr std::array<double, 3> kDigitHeight{0.52, 0.44, 0.32};
 
-/// Coverage of one digit.
+/// Coverage of one character.
 struct Glyph {
   int width = 0;
   int height = 0;
   int advance = 0;
   int left = 0;
+  int top = 0;  ///< rows above the base line
   std::vector<std::uint8_t> coverage;
 };
 
@@ -63,18 +64,40 @@ const Figure& built_in_figure(int digit) {
   return figures[static_cast<std::size_t>(digit)];
 }
 
-Glyph built_in_glyph(int digit, int pixels) {
+/// Of what stands in numbers besides digits; empty for other characters.
+const Figure& built_in_sign(char sign) {
+  static const Figure minus = figure_from("03 43");
+  static const Figure plus = figure_from("03 43/21 25");
+  static const Figure point = figure_from("26 26");
+  static const Figure power = figure_from("04 44 33 13 04 05 16 36");
+  static const Figure none;
+  switch (sign) {
+    case '-':
+      return minus;
+    case '+':
+      return plus;
+    case '.':
+      return point;
+    case 'e':
+      return power;
+    default:
+      return none;
+  }
+}
+
+Glyph built_in_glyph(const Figure& figure, int pixels) {
   const double unit = pixels / 6.9;
   const double half = 0.45 * unit;
   Glyph glyph;
   glyph.height = pixels;
   glyph.width = static_cast<int>(std::ceil(4 * unit + 2 * half));
   glyph.advance = glyph.width + std::max(1, static_cast<int>(unit * 0.9));
+  glyph.top = glyph.height;
   for (int y = 0; y < glyph.height; ++y) {
     for (int x = 0; x < glyph.width; ++x) {
       const glm::dvec2 p(x + 0.5 - half, y + 0.5 - half);
       double nearest = 1e9;
-      for (const auto& piece : built_in_figure(digit)) {
+      for (const auto& piece : figure) {
         const glm::dvec2 from = piece[0] * unit;
         const glm::dvec2 to = piece[1] * unit;
         nearest = std::min(nearest, geometry::distance_to_segment(p, from, to));
@@ -139,8 +162,9 @@ struct NumberFont::Face {
     return FT_IS_SCALABLE(face) != 0;
   }
 
-  /// A digit whose upper edge lies `pixels` above its base line; nothing where the face fails.
-  [[nodiscard]] Glyph draw(int digit, int pixels) const {
+  /// A character, so large that the upper edge of a digit lies `pixels` above the base line; nothing where
+  /// the face fails.
+  [[nodiscard]] Glyph draw(FT_ULong code, int pixels) const {
     Glyph glyph;
     // Figures of a sans-serif face are close to 0.73 em high; measured on the zero rather than assumed.
     if (FT_Load_Char(face, '0', FT_LOAD_NO_SCALE) != 0) return glyph;
@@ -148,9 +172,7 @@ struct NumberFont::Face {
     const double em = face->units_per_EM;
     const double size = units > 0 ? pixels * em / units : pixels * 1.37;
     if (FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(std::max(1L, std::lround(size)))) != 0) return glyph;
-    if (FT_Load_Char(face, FT_ULong{'0'} + static_cast<FT_ULong>(digit),
-                     FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT) != 0)
-      return glyph;
+    if (FT_Load_Char(face, code, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT) != 0) return glyph;
     const FT_GlyphSlot slot = face->glyph;
     const FT_Bitmap& bitmap = slot->bitmap;
     if (bitmap.pixel_mode != FT_PIXEL_MODE_GRAY) return glyph;
@@ -158,6 +180,7 @@ struct NumberFont::Face {
     glyph.height = static_cast<int>(bitmap.rows);
     glyph.advance = static_cast<int>(slot->advance.x >> 6);
     glyph.left = slot->bitmap_left;
+    glyph.top = slot->bitmap_top;
     for (int y = 0; y < glyph.height; ++y) {
       const unsigned char* row = bitmap.buffer + static_cast<std::ptrdiff_t>(y) * bitmap.pitch;
       glyph.coverage.insert(glyph.coverage.end(), row, row + glyph.width);
@@ -196,8 +219,8 @@ LabelSheet NumberFont::draw(int count, int cell) const {
     int left = 0;
     int right = 0;
     for (const char digit : digits) {
-      Glyph glyph = face_ ? face_->draw(digit - '0', pixels) : Glyph{};
-      if (glyph.coverage.empty()) glyph = built_in_glyph(digit - '0', pixels);
+      Glyph glyph = face_ ? face_->draw(static_cast<FT_ULong>(digit), pixels) : Glyph{};
+      if (glyph.coverage.empty()) glyph = built_in_glyph(built_in_figure(digit - '0'), pixels);
       if (glyphs.empty()) left = glyph.left;
       right = run + glyph.left + glyph.width;
       run += glyph.advance;
@@ -221,6 +244,49 @@ LabelSheet NumberFont::draw(int count, int cell) const {
     }
   }
   return sheet;
+}
+
+LabelPicture NumberFont::draw_text(std::string_view text, int height, int margin) const {
+  constexpr FT_ULong kMinus = 0x2212;
+  std::vector<Glyph> glyphs;
+  int run = 0, left = 0, right = 0, top = height, bottom = 0;
+  for (const char c : text) {
+    const bool is_digit = c >= '0' && c <= '9';
+    const Figure& figure = is_digit ? built_in_figure(c - '0') : built_in_sign(c);
+    if (figure.empty()) continue;
+    Glyph glyph;
+    if (face_) {
+      const bool has_minus = c == '-' && FT_Get_Char_Index(face_->face, kMinus) != 0;
+      const FT_ULong code = has_minus ? kMinus : static_cast<FT_ULong>(c);
+      if (FT_Get_Char_Index(face_->face, code) != 0) glyph = face_->draw(code, height);
+    }
+    if (glyph.coverage.empty()) glyph = built_in_glyph(figure, height);
+    if (glyphs.empty()) left = glyph.left;
+    right = std::max(right, run + glyph.left + glyph.width);
+    top = std::max(top, glyph.top);
+    bottom = std::max(bottom, glyph.height - glyph.top);
+    run += glyph.advance;
+    glyphs.push_back(std::move(glyph));
+  }
+  LabelPicture picture;
+  picture.width = right - left + 2 * margin;
+  picture.height = top + bottom + 2 * margin;
+  picture.coverage.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
+                          0);
+  int pen = margin - left;
+  for (const Glyph& glyph : glyphs) {
+    for (int y = 0; y < glyph.height; ++y) {
+      for (int x = 0; x < glyph.width; ++x) {
+        const int to_x = pen + glyph.left + x;
+        const int to_y = margin + top - glyph.top + y;
+        if (to_x < 0 || to_x >= picture.width) continue;
+        auto& target = picture.coverage[place_in(picture.width, to_x, to_y)];
+        target = std::max(target, glyph.coverage[place_in(glyph.width, x, y)]);
+      }
+    }
+    pen += glyph.advance;
+  }
+  return picture;
 }
 
 }  // namespace nazori::view

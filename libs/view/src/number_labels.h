@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace nazori::view {
@@ -14,6 +15,13 @@ struct LabelSheet {
   int columns = 0;  ///< cells in a row; the number n is cell n - 1, row by row from the top
   int rows = 0;
   std::vector<std::uint8_t> coverage;  ///< columns * cell wide, rows * cell high
+};
+
+/// One line of text as white-on-black coverage.
+struct LabelPicture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> coverage;  ///< row by row from the top
 };
 
 /// Draws digits with the system's sans-serif bold face, found by fontconfig; without a font with digits,
@@ -36,6 +44,10 @@ class NumberFont {
   /// @param count  1..1024.  @param cell  side of a cell in pixels, 8..512: the numbers fill its inscribed
   /// disc.
   [[nodiscard]] LabelSheet draw(int count, int cell) const;
+
+  /// A number as text: digits, '-', '+', '.' and 'e'; any other character is left out.
+  /// @param height  of a digit in pixels, at least 5. @param margin  pixels that stay empty on all sides.
+  [[nodiscard]] LabelPicture draw_text(std::string_view text, int height, int margin) const;
 
  private:
   struct Face;

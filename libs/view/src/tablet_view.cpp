@@ -12,6 +12,7 @@
 #include "canvas.h"
 #include "cursor_layer.h"
 #include "groove_ink.h"
+#include "label_layer.h"
 #include "projection.h"
 #include "relief.h"
 #include "stroke_layer.h"
@@ -97,6 +98,7 @@ struct TabletView::Inside {
   StrokeLayer strokes;
   WritingLayer writing;
   CursorLayer cursor;
+  LabelLayer labels;
   Canvas canvas;
 
   surface::HeightMap map;
@@ -114,13 +116,14 @@ struct TabletView::Inside {
   bool drawn_quickly = false;
 
   Inside(DrawStatistics counted, TabletLayer tablet_layer, GrooveInk ink_layer, StrokeLayer stroke_layer,
-         WritingLayer writing_layer, CursorLayer cursor_layer)
+         WritingLayer writing_layer, CursorLayer cursor_layer, LabelLayer label_layer)
       : statistics(counted),
         tablet(std::move(tablet_layer)),
         ink(std::move(ink_layer)),
         strokes(std::move(stroke_layer)),
         writing(std::move(writing_layer)),
-        cursor(std::move(cursor_layer)) {}
+        cursor(std::move(cursor_layer)),
+        labels(std::move(label_layer)) {}
 
   void send_what_is_stale();
   void update_picture(const Projection& projection, const Overlay& overlay, double scale);
@@ -172,6 +175,7 @@ void TabletView::Inside::update_picture(const Projection& projection, const Over
     tablet.draw(projection, box, inkable && ink.has_ink() ? ink.texture() : 0);
     if (!quick) canvas.resolve(box);
     strokes.draw(projection, box, look, choice, statistics);
+    labels.draw(projection, box, look, choice, statistics);
     ++(redraw ? statistics.full_redraws : statistics.partial_redraws);
   }
   drawn = key;
@@ -203,9 +207,11 @@ base::Result<std::unique_ptr<TabletView>> TabletView::create() {
   if (!writing) return tl::unexpected(writing.error());
   auto cursor = CursorLayer::create(statistics);
   if (!cursor) return tl::unexpected(cursor.error());
+  auto labels = LabelLayer::create();
+  if (!labels) return tl::unexpected(labels.error());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
   auto inside = std::make_unique<Inside>(statistics, std::move(*tablet), std::move(*ink), std::move(*strokes),
-                                         std::move(*writing), std::move(*cursor));
+                                         std::move(*writing), std::move(*cursor), std::move(*labels));
   return std::unique_ptr<TabletView>(new TabletView(std::move(inside)));
 }
 
@@ -223,6 +229,11 @@ void TabletView::set_height_map(const surface::HeightMap& map, const geometry::T
 void TabletView::set_strokes(std::vector<geometry::Polyline<geometry::GlyphFrame>> lines) {
   inside_->lines = std::move(lines);
   inside_->strokes_stale = true;
+  ++inside_->content;
+}
+
+void TabletView::set_labels(std::vector<geometry::Label> labels) {
+  inside_->labels.set_labels(std::move(labels));
   ++inside_->content;
 }
 
@@ -245,6 +256,7 @@ bool TabletView::wants_redraw() const { return inside_->drawn_quickly; }
 void TabletView::set_camera(const Camera& camera) { inside_->camera = within_limits(camera, inside_->shape); }
 const Camera& TabletView::camera() const { return inside_->camera; }
 std::span<const NumberPlace> TabletView::numbers() const { return inside_->strokes.numbers(); }
+std::span<const LabelPlace> TabletView::labels() const { return inside_->labels.places(); }
 std::span<const SignPlace> TabletView::signs() const { return inside_->writing.signs(); }
 const DrawStatistics& TabletView::statistics() const { return inside_->statistics; }
 

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLocale>
 #include <QSettings>
 
 #include "functions/expression_line.h"
@@ -14,6 +15,7 @@
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/settings/stored_settings.h"
 #include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -149,6 +151,7 @@ void FunctionsPage::connect_panels() {
     if (shown() && shown()->final && !plotter_.is_busy())
       parts().announce(Feedback::good, localised(shown()->summary));
   });
+  connect(panel_, &PlotPanel::parameter_moved, this, &FunctionsPage::set_parameter);
   connect(panel_, &PlotPanel::example_chosen, this,
           [this, line](const QString& expression, const functions::Window& window) {
             (void)model_.start_with(window);
@@ -240,10 +243,24 @@ void FunctionsPage::read_expression() {
   panel_->show_words(localised(functions::in_words(plot, plot_language(), plot_speech())));
   announce_summary_ = true;
   actions_->alone->setChecked(false);
+  panel_->show_parameters(plot.parameters);
   panel_->show_surface(plot.is_surface());
   emit title_changed();
   parts().save_later();
   draw();
+}
+
+void FunctionsPage::set_parameter(const QString& letter, double value) {
+  auto* line = panel_->line();
+  const auto text = functions::with_parameter(line->text().toStdString(), letter.toStdString(), value,
+                                              {uses_decimal_comma()});
+  if (!text || to_text(*text) == line->text()) return;
+  // Inserted, because setText() would end what can be undone in the line.
+  line->selectAll();
+  line->insert(to_text(*text));
+  // Who moves a slider hears the value; the summary of each picture would follow it too late.
+  announce_summary_ = false;
+  parts().respond(Feedback::hint, tr("%1 = %2").arg(letter, QLocale().toString(value, 'g', 10)));
 }
 
 void FunctionsPage::draw() {

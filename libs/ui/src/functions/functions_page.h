@@ -66,6 +66,8 @@ class FunctionsPage final : public Page {
   void connect_work();
 
   void read_expression();
+  /// Writes another value of a parameter into the expression.
+  void set_parameter(const QString& letter, double value);
   void draw();
   void show_window(const functions::PlotEvent& event);
   void show_plot(const practice::TabletPlot& plot);

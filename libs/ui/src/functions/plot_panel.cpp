@@ -19,6 +19,7 @@
 #include <initializer_list>
 
 #include "functions/expression_line.h"
+#include "functions/parameter_sliders.h"
 #include "functions/plot_words.h"
 #include "nazori/functions/plot_examples.h"
 #include "nazori/functions/plot_model.h"
@@ -45,6 +46,7 @@ PlotPanel::PlotPanel(QWidget* parent)
       error_sign_(new QLabel(error_row_)),
       error_(sentence_label("expression_error", error_row_)),
       progress_(named(new QProgressBar(content_), "plot_progress", tr("Drawing"))),
+      parameters_(named(new ParameterSliders(content_), "parameters")),
       examples_(named(new QComboBox(content_), "examples", tr("Examples"))),
       axes_(named(new QCheckBox(tr("&Axes"), content_), "layer_axes")),
       ticks_(named(new QCheckBox(tr("Tic&ks"), content_), "layer_ticks")),
@@ -89,7 +91,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   auto* title = heading(tr("E&xpression"), content_);
   title->setBuddy(line_);
   for (QWidget* widget :
-       std::initializer_list<QWidget*>{title, line_, progress_, words_, error_row_, examples_})
+       std::initializer_list<QWidget*>{title, line_, progress_, words_, error_row_, parameters_, examples_})
     column->addWidget(widget);
 
   column->addSpacing(8);
@@ -157,15 +159,23 @@ PlotPanel::PlotPanel(QWidget* parent)
         std::max(0, examples_->findText(text, Qt::MatchExactly | Qt::MatchCaseSensitive)));
     emit expression_typed(text);
   });
-  // Tab goes from top to bottom, not in the order of creation.
-  QWidget* before = line_;
-  for (QWidget* next : std::initializer_list<QWidget*>{examples_, borders_[0], borders_[1], borders_[2],
-                                                       borders_[3], heights_[0], heights_[1], axes_, ticks_,
-                                                       grid_, rim_, width_, size_, volume_, mute_}) {
-    setTabOrder(before, next);
-    before = next;
-  }
+  connect(parameters_, &ParameterSliders::moved, this, &PlotPanel::parameter_moved);
+  connect(parameters_, &ParameterSliders::rebuilt, this, &PlotPanel::order_tabs);
+  order_tabs();
   show_surface(false);
+}
+
+void PlotPanel::order_tabs() {
+  // From top to bottom, not in the order of creation.
+  std::vector<QWidget*> order{line_};
+  for (QWidget* slider : parameters_->sliders()) order.push_back(slider);
+  order.insert(order.end(), {examples_, borders_[0], borders_[1], borders_[2], borders_[3], heights_[0],
+                             heights_[1], axes_, ticks_, grid_, rim_, width_, size_, volume_, mute_});
+  for (std::size_t i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
+}
+
+void PlotPanel::show_parameters(const std::vector<functions::Parameter>& parameters) {
+  parameters_->show_parameters(parameters);
 }
 
 void PlotPanel::resizeEvent(QResizeEvent* event) {

@@ -3,6 +3,7 @@
 
 #include <QScrollArea>
 #include <array>
+#include <vector>
 
 #include "nazori/functions/plate.h"
 #include "nazori/functions/plot.h"
@@ -19,6 +20,7 @@ class QSlider;
 namespace nazori::ui {
 
 class ExpressionLine;
+class ParameterSliders;
 
 /// The left panel: the expression and how it was read, the range, what is shown on the plate, and the sound.
 /// It only shows values and emits signals; the page decides.
@@ -32,6 +34,8 @@ class PlotPanel final : public QScrollArea {
   void show_words(const QString& words);
   /// Marks the position of an error and says what is wrong, instead of the sentence before.
   void show_error(const functions::SyntaxError& error);
+  /// A slider for each of them.
+  void show_parameters(const std::vector<functions::Parameter>& parameters);
   void show_window(const functions::Window& window);
   void show_plate(const functions::PlateSettings& plate);
   void show_volume(int percent, bool muted);
@@ -44,6 +48,8 @@ class PlotPanel final : public QScrollArea {
 
  signals:
   void expression_typed(QString expression);
+  /// A slider was moved. @param letter  the parameter
+  void parameter_moved(QString letter, double value);
   void example_chosen(QString expression, nazori::functions::Window window);
   void window_typed(nazori::functions::Window window);
   /// A border that is not a number. @param text  what was typed.
@@ -60,6 +66,7 @@ class PlotPanel final : public QScrollArea {
 
  private:
   void fit();
+  void order_tabs();
   void read_window();
   void read_heights();
   void read_plate();
@@ -71,6 +78,7 @@ class PlotPanel final : public QScrollArea {
   QLabel* error_sign_;
   QLabel* error_;
   QProgressBar* progress_;
+  ParameterSliders* parameters_;
   QComboBox* examples_;
   QFormLayout* window_form_ = nullptr;
   QFormLayout* plate_form_ = nullptr;

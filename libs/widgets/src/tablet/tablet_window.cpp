@@ -114,9 +114,11 @@ void TabletWindow::paintGL() {
     if (carved) {
       view_->set_height_map(carved->height_map(), carved->shape());
       view_->set_strokes(tablet::centre_lines(carved->lines()));
+      view_->set_labels(carved->labels());
     } else {
       view_->set_height_map({});
       view_->set_strokes({});
+      view_->set_labels({});
     }
   }
   view_->set_theme(theme_);

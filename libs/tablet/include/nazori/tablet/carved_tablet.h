@@ -8,6 +8,7 @@
 #include "nazori/base/result.h"
 #include "nazori/carving/carve.h"
 #include "nazori/geometry/frames.h"
+#include "nazori/geometry/label.h"
 #include "nazori/haptics/haptic_scene.h"
 #include "nazori/surface/height_map.h"
 #include "nazori/surface/smooth_surface.h"
@@ -29,10 +30,12 @@ class CarvedTablet {
 
   /// Makes a tablet from an existing relief and any number of lines, whose depth is read from the relief.
   /// @param friction  zones with as many samples as the map; null: the material's friction everywhere.
+  /// @param labels  texts that are drawn on the tablet and not carved.
   /// @return Errc::bad_argument for an empty map, and for zones of another size.
   [[nodiscard]] static base::Result<std::shared_ptr<const CarvedTablet>> from_height_map(
       surface::HeightMap map, std::vector<TabletLine> lines, const geometry::TabletShape& shape = {},
-      std::shared_ptr<const haptics::FrictionZones> friction = nullptr);
+      std::shared_ptr<const haptics::FrictionZones> friction = nullptr,
+      std::vector<geometry::Label> labels = {});
 
   [[nodiscard]] const surface::HeightMap& height_map() const { return map_; }
   [[nodiscard]] const std::vector<TabletLine>& lines() const { return lines_; }
@@ -40,6 +43,8 @@ class CarvedTablet {
   [[nodiscard]] const std::shared_ptr<const surface::SmoothSurface>& surface() const { return surface_; }
   /// Centre lines in metres, z at the bottom of the groove: hooks and sweeps rise as they are carved.
   [[nodiscard]] const std::vector<haptics::StrokePath>& paths() const { return paths_; }
+
+  [[nodiscard]] const std::vector<geometry::Label>& labels() const { return labels_; }
 
   /// Null: the material's friction everywhere.
   [[nodiscard]] const std::shared_ptr<const haptics::FrictionZones>& friction() const { return friction_; }
@@ -57,6 +62,7 @@ class CarvedTablet {
   std::shared_ptr<const surface::SmoothSurface> surface_;
   std::vector<haptics::StrokePath> paths_;
   std::shared_ptr<const haptics::FrictionZones> friction_;
+  std::vector<geometry::Label> labels_;
 };
 
 }  // namespace nazori::tablet

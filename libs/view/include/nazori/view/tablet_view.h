@@ -12,6 +12,7 @@
 
 #include "nazori/base/result.h"
 #include "nazori/geometry/frames.h"
+#include "nazori/geometry/label.h"
 #include "nazori/kanji/stroke.h"
 #include "nazori/surface/height_map.h"
 #include "nazori/view/camera.h"
@@ -79,6 +80,13 @@ struct NumberPlace {
   double radius = 0;    ///< of the disc in pixels
 };
 
+/// The position of a label in a picture.
+struct LabelPlace {
+  std::size_t label = 0;  ///< index in what set_labels() was given
+  glm::dvec2 low{0};      ///< corners of the box around its text [pixels, y down]
+  glm::dvec2 high{0};
+};
+
 /// The hand that holds the stylus: the light comes from the other side, so that the hand casts no shadow on
 /// its work.
 enum class Hand : std::uint8_t { right, left };
@@ -120,6 +128,8 @@ class TabletView {
   void set_height_map(const surface::HeightMap& map, const geometry::TabletShape& shape = {});
   /// The lines to be drawn and numbered: strokes of a character in their order, or curves.
   void set_strokes(std::vector<geometry::Polyline<geometry::GlyphFrame>> lines);
+  /// Texts beside points of the face. One that would cover an earlier one, or leave the picture, is not drawn.
+  void set_labels(std::vector<geometry::Label> labels);
   void set_style(Style style);
   void set_theme(Theme theme);
   void set_hand(Hand hand);
@@ -149,6 +159,8 @@ class TabletView {
   /// The numbers of the last picture, for tests and for clicks in a window. A stroke whose start lies outside
   /// the picture has none.
   [[nodiscard]] std::span<const NumberPlace> numbers() const;
+  /// The labels of the last picture.
+  [[nodiscard]] std::span<const LabelPlace> labels() const;
   /// The signs of the last picture.
   [[nodiscard]] std::span<const SignPlace> signs() const;
 
