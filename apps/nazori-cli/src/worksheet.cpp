@@ -43,6 +43,7 @@ struct WorksheetSettings {
   bool no_numbers = false;
   bool no_arrows = false;
   bool no_facts = false;
+  bool no_name_line = false;
   print::SheetSettings sheet;
   StudyOptions study;
 };
@@ -134,6 +135,7 @@ void complete(WorksheetSettings& s) {
   s.sheet.numbers = !s.no_numbers;
   s.sheet.arrows = !s.no_arrows;
   s.sheet.facts = !s.no_facts;
+  s.sheet.name_line = !s.no_name_line;
 }
 
 int run(Console& console, WorksheetSettings s) {
@@ -250,6 +252,7 @@ void add_worksheet(CLI::App& app, Action& chosen) {
   verb->add_flag("--no-numbers", s->no_numbers, "No stroke numbers")->group(how);
   verb->add_flag("--no-arrows", s->no_arrows, "No arrows on the strokes")->group(how);
   verb->add_flag("--no-facts", s->no_facts, "No readings, meanings and words")->group(how);
+  verb->add_flag("--no-name-line", s->no_name_line, "No lines for name, class and date")->group(how);
   verb->add_flag("--answers", s->sheet.answers, "Answers on the back of each page (quiz)")->group(how);
   verb->add_flag("--booklet", s->sheet.booklet, "Two pages a side, in the order of a folded booklet")
       ->group(how);

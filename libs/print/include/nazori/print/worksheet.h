@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "nazori/base/progress.h"
 #include "nazori/base/result.h"
 #include "nazori/kanji/character.h"
+#include "nazori/print/page_drawing.h"
 
 namespace nazori::print {
 
@@ -49,8 +52,11 @@ struct SheetSettings {
   bool facts = true;        ///< readings, meanings, words
   bool answers = false;     ///< quiz: behind each page another with the answers
   bool booklet = false;  ///< two pages side by side on each side of a sheet, in the order of a folded booklet
+  bool name_line = true;  ///< practice and quiz: lines for name, class and date beside the title
   std::string title;
   std::string text;  ///< manuscript: the text, in faint letters; empty for empty paper
+
+  friend bool operator==(const SheetSettings&, const SheetSettings&) = default;
 };
 
 inline constexpr double kSmallestCell_mm = 8;
@@ -62,6 +68,31 @@ inline constexpr double kMargin_mm = 12;
 struct SheetCharacter {
   kanji::Character character;
   std::vector<kanji::Word> words;
+};
+
+/// A document whose pages are laid out: they can be shown one by one, and written as PDF. What is shown is
+/// read from the content of the file, so both are the same. Thread rules: one thread at a time.
+class Worksheet {
+ public:
+  /// @return the errors of worksheet_pdf().
+  [[nodiscard]] static base::Result<Worksheet> lay_out(std::vector<SheetCharacter> characters,
+                                                       SheetSettings settings,
+                                                       const base::Progress& progress = {});
+  Worksheet(Worksheet&&) noexcept;
+  Worksheet& operator=(Worksheet&&) noexcept;
+  ~Worksheet();
+
+  /// Sides of paper, at least one. Of a booklet, each shows two of its pages.
+  [[nodiscard]] std::size_t page_count() const;
+  /// @param index  less than page_count(). @cost a few milliseconds.
+  [[nodiscard]] PageDrawing page(std::size_t index);
+  /// The file, as worksheet_pdf() describes. @return Errc::cancelled.
+  [[nodiscard]] base::Result<std::string> pdf(const base::Progress& progress = {});
+
+ private:
+  struct Inside;
+  explicit Worksheet(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
 };
 
 /// The pages as PDF 1.5. Strokes are paths. All letters are text in embedded fonts of which only the used
