@@ -22,8 +22,8 @@ base::Result<void> check(const std::vector<SheetCharacter>& characters, const Sh
     return refuse("there is no character to print", "give one or more");
   if (!(s.cell_mm >= kSmallestCell_mm && s.cell_mm <= kLargestCell_mm))
     return refuse(fmt::format("a cell cannot be {:.4g} mm", s.cell_mm), "give 8 to 60 mm");
-  if (s.rows < 0 || s.rows > 40 || s.copies < 0 || s.copies > 40)
-    return refuse("the number of rows or copies is out of range", "give 0 to 40");
+  if (s.rows < 0 || s.rows > kMostRows || s.copies < 0 || s.copies > kMostRows)
+    return refuse("the number of rows or copies is out of range", fmt::format("give 0 to {}", kMostRows));
   if (s.layout == Layout::practice && !s.whole_page) {
     const Size size = size_of(s);
     const double depth = (s.vertical ? size.width : size.height - kHeader_mm - kFooter_mm) - 2 * kMargin_mm;

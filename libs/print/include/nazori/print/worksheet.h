@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -33,6 +34,11 @@ enum class Guide : std::uint8_t {
 
 enum class Paper : std::uint8_t { a4, b5, letter };
 
+/// The names in settings and in commands, in the order of the enumerations.
+inline constexpr std::array<std::string_view, 4> kLayoutNames{"practice", "quiz", "cards", "manuscript"};
+inline constexpr std::array<std::string_view, 4> kGuideNames{"none", "十", "田", "米"};
+inline constexpr std::array<std::string_view, 3> kPaperNames{"a4", "b5", "letter"};
+
 /// The language of what is printed around the characters: Name or 名前.
 enum class Language : std::uint8_t { english, japanese };
 
@@ -42,8 +48,8 @@ struct SheetSettings {
   Guide guide = Guide::cross;
   Language language = Language::english;
   double cell_mm = 15;      ///< side of a cell to write in, kSmallestCell_mm..kLargestCell_mm
-  int rows = 2;             ///< of cells for each character (practice), 0..40
-  int copies = 4;           ///< cells of them that show the character, fainter and fainter; 0..40
+  int rows = 2;             ///< of cells for each character (practice), 0..kMostRows
+  int copies = 4;           ///< cells of them that show the character, fainter and fainter; 0..kMostRows
   bool whole_page = false;  ///< practice: one character a page, filled with rows
   bool vertical = false;    ///< cells and text from top to bottom, from right to left
   bool steps = true;        ///< practice: a box a stroke that shows how the character grows
@@ -59,6 +65,8 @@ struct SheetSettings {
   friend bool operator==(const SheetSettings&, const SheetSettings&) = default;
 };
 
+/// The greatest number of rows, and of cells that show the character.
+inline constexpr int kMostRows = 40;
 inline constexpr double kSmallestCell_mm = 8;
 inline constexpr double kLargestCell_mm = 60;
 /// Nothing is printed closer to an edge of the paper; of a booklet, to an edge of its page.
