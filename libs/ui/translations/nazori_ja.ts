@@ -6617,16 +6617,8 @@ Columns and rows:</source>
         <translation>プレビュー</translation>
     </message>
     <message>
-        <source>◀ Previous page</source>
-        <translation>◀ 前のページ</translation>
-    </message>
-    <message>
         <source>Previous page</source>
         <translation>前のページ</translation>
-    </message>
-    <message>
-        <source>Next page ▶</source>
-        <translation>次のページ ▶</translation>
     </message>
     <message>
         <source>Next page</source>

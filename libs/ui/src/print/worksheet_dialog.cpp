@@ -64,8 +64,8 @@ WorksheetDialog::WorksheetDialog(WindowParts& parts, char32_t shown, QWidget* pa
       options_(new WorksheetOptions(parts.learner().store(), shown, this)),
       view_(named(new PageView(this), "worksheet_preview", tr("Preview"))),
       previous_(
-          named(new QPushButton(tr("◀ Previous page"), this), "worksheet_previous", tr("Previous page"))),
-      next_(named(new QPushButton(tr("Next page ▶"), this), "worksheet_next", tr("Next page"))),
+          named(new QPushButton(QStringLiteral("◀"), this), "worksheet_previous", tr("Previous page"))),
+      next_(named(new QPushButton(QStringLiteral("▶"), this), "worksheet_next", tr("Next page"))),
       number_(text_label("worksheet_number", this, "muted")),
       words_(sentence_label("worksheet_words", this)),
       spoken_(new SpokenLine(this)),
