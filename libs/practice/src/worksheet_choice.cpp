@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "nazori/base/utf8.h"
+#include "nazori/practice/extra_study.h"
 #include "nazori/practice/list_members.h"
 
 namespace nazori::practice {
@@ -105,9 +106,9 @@ base::Result<std::vector<char32_t>> chosen_characters(const WorksheetChoice& cho
       const auto plan = learner.plan();
       if (!plan) return tl::unexpected(plan.error());
       if (choice.source == WorksheetSource::difficult) return plan->leeches;
-      std::vector<char32_t> due;
-      for (const study::StudyTask& task : plan->now) due.push_back(task.character);
-      return each_once(due);
+      auto reviews = reviews_now(learner.store(), *plan);
+      if (!reviews) return tl::unexpected(std::move(reviews.error()));
+      return each_once(reviews->characters);
     }
     case WorksheetSource::text:
       break;

@@ -92,7 +92,7 @@ TEST(SolidTablets, SweepsAndHooksSinkAndStopsDoNot) {
 }
 
 TEST(SolidTablets, WhatHasNoLinesCannotBeRaised) {
-  const SolidTablet map{{}, surface::HeightMap(64, 1.0F)};
+  const SolidTablet map{{}, surface::HeightMap::create(64).value()};
   SolidSettings settings;
   const auto raised = tablet_plate({&map, 1}, settings);
   ASSERT_FALSE(raised);

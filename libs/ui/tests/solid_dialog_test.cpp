@@ -46,6 +46,8 @@ template <class Base>
 class SolidDialogIn : public Base {
  protected:
   void open_dialog() {
+    this->window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(this->window_.get()));
     this->press(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
     dialog_ = this->template find<SolidDialog>("solid_dialog");
     ASSERT_NE(dialog_, nullptr) << this->feedback().toStdString();

@@ -32,6 +32,8 @@ class WorksheetDialogTest : public WindowTest {
     open_dialog();
   }
   void open_dialog() {
+    window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
     press(Qt::Key_P, Qt::ControlModifier);
     dialog_ = find<WorksheetDialog>("worksheet_dialog");
     ASSERT_NE(dialog_, nullptr);
@@ -286,7 +288,8 @@ TEST_F(WorksheetDialogTest, EveryOptionHasAName) {
 TEST_F(WorksheetDialogTest, TheAnswerToAQuestionIsNotOffered) {
   close_dialog();
   action("memory")->trigger();
-  QCoreApplication::processEvents();
+  window_->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
   press(Qt::Key_P, Qt::ControlModifier);
   dialog_ = find<WorksheetDialog>("worksheet_dialog");
   ASSERT_NE(dialog_, nullptr);

@@ -4882,11 +4882,11 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Raised, for fingers</source>
-        <translation>浮き出し（指で触れる）</translation>
+        <translation>浮き出し（指用）</translation>
     </message>
     <message>
         <source>Grooves, for a stylus</source>
-        <translation>溝（ペンでなぞる）</translation>
+        <translation>溝（ペン用）</translation>
     </message>
     <message>
         <source> mm</source>

@@ -90,7 +90,7 @@ QSize PageView::sizeHint() const {
   return {em * 22, em * 28};
 }
 
-QSize PageView::minimumSizeHint() const { return {160, 160}; }
+QSize PageView::minimumSizeHint() const { return {120, 120}; }
 
 void PageView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);

@@ -15,6 +15,7 @@
 #include <QRegularExpression>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -59,6 +60,7 @@ SolidDialog::SolidDialog(WindowParts& parts, SolidSubject subject, QWidget* pare
       hole_(named(new QCheckBox(tr("&Hole to hang it up"), this), "solid_hole")),
       mould_(named(new QCheckBox(tr("&Mould, to cast several"), this), "solid_mould")),
       view_(named(new ReliefView(this), "solid_picture", tr("The model from above"))),
+      area_(new QScrollArea(this)),
       words_(sentence_label("solid_words", this)),
       spoken_(new SpokenLine(this)),
       maker_(parts.inbox()) {
@@ -78,15 +80,14 @@ SolidDialog::SolidDialog(WindowParts& parts, SolidSubject subject, QWidget* pare
   form->addRow(tr("Si&ze of the square"), size_);
   for (auto* check : {numbers_, dots_, hole_, mould_}) form->addRow(check);
   if (subject_.plot) form->setRowVisible(kind_, false);
-  auto* area = new QScrollArea(this);
-  area->setFrameShape(QFrame::NoFrame);
-  make_scrolling(area, form_widget);
+  area_->setFrameShape(QFrame::NoFrame);
+  make_scrolling(area_, form_widget);
   auto* buttons = dialog_buttons(QDialogButtonBox::Close, this);
   save_ = named(buttons->addButton(tr("&Save…"), QDialogButtonBox::ActionRole), "solid_save");
   save_->setDefault(true);
   sides_ = new QBoxLayout(QBoxLayout::LeftToRight);
   sides_->setSpacing(12);
-  sides_->addWidget(area, 2);
+  sides_->addWidget(area_, 2);
   sides_->addWidget(view_, 3);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(16, 16, 16, 12);
@@ -178,6 +179,7 @@ void SolidDialog::show_what_matters() {
 
 void SolidDialog::choose_later() {
   show_what_matters();
+  fit_options();
   save_->setEnabled(false);
   soon_.start();
 }
@@ -241,6 +243,15 @@ void SolidDialog::resizeEvent(QResizeEvent* event) {
   const bool wide = event->size().width() >= QFontInfo(font()).pixelSize() * kWide_ems;
   // In a narrow window the picture stands above the options.
   sides_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::BottomToTop);
+  sides_->setStretch(0, wide ? 2 : 3);
+  sides_->setStretch(1, wide ? 3 : 2);
+  fit_options();
+}
+
+void SolidDialog::fit_options() {
+  // The options scroll up and down only, so they must not be wider than what shows them.
+  area_->setMinimumWidth(area_->widget()->minimumSizeHint().width() +
+                         area_->verticalScrollBar()->sizeHint().width());
 }
 
 void SolidDialog::done(int result) {

@@ -12,6 +12,7 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QSpinBox;
 
 namespace nazori::ui {
@@ -51,6 +52,7 @@ class SolidDialog final : public QDialog {
   void show_what_matters();
   void show_view(const practice::SolidView& view);
   void say(const QString& sentence, bool wrong);
+  void fit_options();
   void ask_and_save();
 
   WindowParts& parts_;
@@ -59,6 +61,7 @@ class SolidDialog final : public QDialog {
   QSpinBox* size_;
   QCheckBox *numbers_, *dots_, *hole_, *mould_;
   ReliefView* view_;
+  QScrollArea* area_;  ///< of the options
   QBoxLayout* sides_;
   QLabel* words_;
   QPushButton* save_;

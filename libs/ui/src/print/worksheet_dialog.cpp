@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -33,7 +34,6 @@ namespace {
 
 constexpr int kSoon_ms = 80;
 constexpr int kWide_ems = 42;  ///< from here on the preview stands beside the options
-constexpr int kOptions_ems = 20;
 
 QString settings_group() { return QStringLiteral("worksheet"); }
 
@@ -63,8 +63,8 @@ WorksheetDialog::WorksheetDialog(WindowParts& parts, char32_t shown, QWidget* pa
       parts_(parts),
       options_(new WorksheetOptions(parts.learner().store(), shown, this)),
       view_(named(new PageView(this), "worksheet_preview", tr("Preview"))),
-      previous_(
-          named(new QPushButton(QStringLiteral("◀"), this), "worksheet_previous", tr("Previous page"))),
+      area_(new QScrollArea(this)),
+      previous_(named(new QPushButton(QStringLiteral("◀"), this), "worksheet_previous", tr("Previous page"))),
       next_(named(new QPushButton(QStringLiteral("▶"), this), "worksheet_next", tr("Next page"))),
       number_(text_label("worksheet_number", this, "muted")),
       words_(sentence_label("worksheet_words", this)),
@@ -72,9 +72,8 @@ WorksheetDialog::WorksheetDialog(WindowParts& parts, char32_t shown, QWidget* pa
       maker_(parts.inbox(), parts.learner().database_file()) {
   setObjectName(QStringLiteral("worksheet_dialog"));
   setWindowTitle(tr("Print a worksheet"));
-  auto* area = new QScrollArea(this);
-  area->setFrameShape(QFrame::NoFrame);
-  make_scrolling(area, options_);
+  area_->setFrameShape(QFrame::NoFrame);
+  make_scrolling(area_, options_);
 
   auto* side = new QWidget(this);
   auto* column = new QVBoxLayout(side);
@@ -99,14 +98,13 @@ WorksheetDialog::WorksheetDialog(WindowParts& parts, char32_t shown, QWidget* pa
   save_->setDefault(true);
   sides_ = new QBoxLayout(QBoxLayout::LeftToRight);
   sides_->setSpacing(12);
-  sides_->addWidget(area, 2);
+  sides_->addWidget(area_, 2);
   sides_->addWidget(side, 3);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(16, 16, 16, 12);
   all->addLayout(sides_, 1);
   all->addWidget(words_);
   all->addWidget(buttons);
-  area->setMinimumWidth(QFontInfo(font()).pixelSize() * kOptions_ems / 2);
 
   soon_.setSingleShot(true);
   soon_.setInterval(kSoon_ms);
@@ -165,6 +163,7 @@ void WorksheetDialog::store_choice() const {
 
 void WorksheetDialog::choose_later() {
   page_ = 0;
+  fit_options();
   save_->setEnabled(false);  // until it is known that there is something to save
   soon_.start();
 }
@@ -286,6 +285,15 @@ void WorksheetDialog::resizeEvent(QResizeEvent* event) {
   const bool wide = event->size().width() >= QFontInfo(font()).pixelSize() * kWide_ems;
   // In a narrow window the preview stands above the options.
   sides_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::BottomToTop);
+  sides_->setStretch(0, wide ? 2 : 3);
+  sides_->setStretch(1, wide ? 3 : 2);
+  fit_options();
+}
+
+void WorksheetDialog::fit_options() {
+  // The options scroll up and down only, so they must not be wider than what shows them.
+  area_->setMinimumWidth(area_->widget()->minimumSizeHint().width() +
+                         area_->verticalScrollBar()->sizeHint().width());
 }
 
 void WorksheetDialog::done(int result) {

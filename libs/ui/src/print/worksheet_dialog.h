@@ -10,6 +10,7 @@ class QBoxLayout;
 class QLabel;
 class QProgressDialog;
 class QPushButton;
+class QScrollArea;
 
 namespace nazori::ui {
 
@@ -46,12 +47,14 @@ class WorksheetDialog final : public QDialog {
   void show_refusal(const base::Error& error, std::size_t characters);
   void show_page_buttons();
   void say(const QString& sentence, bool wrong);
+  void fit_options();
   void ask_and_save();
   void end_work();
 
   WindowParts& parts_;
   WorksheetOptions* options_;
   PageView* view_;
+  QScrollArea* area_;  ///< of the options
   QBoxLayout* sides_;
   QPushButton *previous_, *next_, *save_;
   QLabel *number_, *words_;

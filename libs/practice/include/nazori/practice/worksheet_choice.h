@@ -21,7 +21,7 @@ namespace nazori::practice {
 enum class WorksheetSource : std::uint8_t {
   shown,      ///< the character that is shown
   list,       ///< a list of study, or all studied characters
-  due,        ///< what the learner reviews today
+  due,        ///< the reviews that are due now, without new characters
   difficult,  ///< what the learner forgot too often
   text,       ///< the characters of a text; for manuscript paper, the text itself
 };
