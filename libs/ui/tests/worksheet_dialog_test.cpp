@@ -186,6 +186,20 @@ TEST_F(WorksheetDialogTest, KeysTurnThePages) {
   EXPECT_EQ(pages(), QStringLiteral("Page 1 of 3"));
 }
 
+TEST_F(WorksheetDialogTest, APageOfAnOlderChoiceIsNotShown) {
+  text_after([this] {
+    choose_source(WorksheetSource::text);
+    part<QPlainTextEdit>("worksheet_text")->setPlainText(QStringLiteral("一二"));
+    part<QCheckBox>("worksheet_whole_page")->setChecked(true);
+  });
+  const auto before = view()->page();
+  QTest::keyClick(view(), Qt::Key_PageDown);
+  part<QCheckBox>("worksheet_name_line")->setChecked(false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view()->page() != before; }, 20000));
+  EXPECT_FALSE(to_text(view()->page()->text).contains(QStringLiteral("Name")));
+  EXPECT_EQ(pages(), QStringLiteral("Page 1 of 2"));
+}
+
 TEST_F(WorksheetDialogTest, WhatCannotBePrintedIsSaidAndNotSaved) {
   choose_source(WorksheetSource::text);
   EXPECT_TRUE(says(QStringLiteral("Type or paste a text")));

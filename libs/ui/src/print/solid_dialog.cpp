@@ -33,7 +33,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kSoon_ms = 150;
-constexpr int kWide_ems = 40;  ///< from here on the picture stands beside the options
+constexpr int kWide_ems = 30;  ///< from here on the picture stands beside the options
 constexpr int kSmallest_mm = 10;
 constexpr int kLargest_mm = 500;
 constexpr int kLongestName = 40;

@@ -33,7 +33,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kSoon_ms = 80;
-constexpr int kWide_ems = 42;  ///< from here on the preview stands beside the options
+constexpr int kWide_ems = 30;  ///< from here on the preview stands beside the options
 
 QString settings_group() { return QStringLiteral("worksheet"); }
 
