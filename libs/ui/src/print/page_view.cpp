@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "print/page_view.h"
 
+#include <QAccessible>
+#include <QAccessibleWidget>
 #include <QFontInfo>
 #include <QKeyEvent>
 #include <QPainter>
@@ -42,6 +44,11 @@ QPainterPath path_of(const print::PageMark& mark) {
   return path;
 }
 
+QAccessibleInterface* make_picture(const QString& class_name, QObject* object) {
+  if (class_name != QLatin1String(PageView::staticMetaObject.className())) return nullptr;
+  return new QAccessibleWidget(qobject_cast<QWidget*>(object), QAccessible::Graphic);
+}
+
 }  // namespace
 
 void paint_page(QPainter& painter, const print::PageDrawing& page, const QColor& paper) {
@@ -66,6 +73,7 @@ void paint_page(QPainter& painter, const print::PageDrawing& page, const QColor&
 }
 
 PageView::PageView(QWidget* parent) : QWidget(parent) {
+  QAccessible::installFactory(make_picture);  // once, however often it is asked for
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
