@@ -8,8 +8,7 @@
 
 #include "characters.h"
 #include "json_answers.h"
-#include "nazori/carving/carve.h"
-#include "nazori/model/tablet_plate.h"
+#include "nazori/practice/solid_model.h"
 #include "options.h"
 #include "output_files.h"
 #include "own_tablet.h"
@@ -20,8 +19,6 @@ namespace nazori::cli {
 namespace {
 
 constexpr int kModelMapSize = 513;
-constexpr double kGroovedTolerance_mm = 0.01;
-constexpr double kRaisedTolerance_mm = 0.02;
 
 struct ModelSettings {
   std::vector<std::string> characters;
@@ -42,22 +39,8 @@ struct ModelSettings {
 /// The tablets of a plate.
 struct Tablets {
   std::string subject;
-  std::vector<surface::HeightMap> maps;
-  std::vector<std::vector<model::RaisedStroke>> strokes;
+  std::vector<practice::SolidTablet> all;
 };
-
-std::vector<model::RaisedStroke> raised_strokes(const std::vector<kanji::StrokeLine>& lines) {
-  std::vector<model::RaisedStroke> strokes;
-  for (const kanji::StrokeLine& line : lines) {
-    model::RaisedStroke stroke;
-    for (const geometry::GlyphPoint p : line.points)
-      stroke.line.push_back({p.x / geometry::kGlyphSide, 1 - p.y / geometry::kGlyphSide});
-    const bool sinks = line.ending == kanji::StrokeEnding::taper || line.ending == kanji::StrokeEnding::hook;
-    stroke.end = sinks ? model::LineEnd::sinks : model::LineEnd::full;
-    strokes.push_back(std::move(stroke));
-  }
-  return strokes;
-}
 
 base::Result<Tablets> own_tablets(const ModelSettings& settings) {
   const auto tablet = own_tablet(settings.own, kModelMapSize, settings.brush);
@@ -66,47 +49,29 @@ base::Result<Tablets> own_tablets(const ModelSettings& settings) {
     return base::fail(base::Errc::bad_argument, "a height map alone has no lines to raise", "--raised",
                       "also give --strokes");
   }
-  Tablets tablets{settings.own.strokes.empty() ? settings.own.height_map : settings.own.strokes, {}, {}};
-  tablets.maps.push_back((*tablet)->height_map());
-  tablets.strokes.push_back(raised_strokes(tablet::stroke_lines((*tablet)->lines())));
+  Tablets tablets{settings.own.strokes.empty() ? settings.own.height_map : settings.own.strokes, {}};
+  tablets.all.push_back({tablet::stroke_lines((*tablet)->lines()), (*tablet)->height_map()});
   return tablets;
 }
 
-base::Result<Tablets> tablets_of(const std::vector<kanji::Character>& characters,
-                                 const ModelSettings& settings) {
+Tablets tablets_of(const std::vector<kanji::Character>& characters) {
   Tablets tablets;
   for (const kanji::Character& character : characters) {
     tablets.subject += kanji::name_of(character).text();
-    if (settings.raised) {
-      tablets.strokes.push_back(raised_strokes(character.lines()));
-    } else {
-      auto map = carving::carve(character.lines(), kModelMapSize, settings.brush);
-      if (!map) return tl::unexpected(map.error());
-      tablets.maps.push_back(*std::move(map));
-    }
+    tablets.all.push_back({character.lines(), {}});
   }
   return tablets;
 }
 
-base::Result<exchange::SolidModel> make(const Tablets& tablets, ModelSettings settings,
+base::Result<exchange::SolidModel> make(const Tablets& tablets, const ModelSettings& settings,
                                         const OutputPlace& place) {
-  settings.plate.hanging_hole = !settings.no_hole && !settings.negative;
-  settings.plate.thickness_mm = settings.thickness_mm.value_or(settings.raised ? 3 : 6);
-  settings.plate.strokes.numbers = !settings.no_numbers;
-  settings.plate.strokes.start_dots = !settings.no_start_dots;
-  std::vector<int> without_number;
-  const auto plate = [&]() -> base::Result<model::Plate> {
-    if (!settings.raised) return model::grooved_plate(tablets.maps, settings.plate);
-    auto made = model::raised_plate(tablets.strokes, settings.plate);
-    if (!made) return tl::unexpected(std::move(made.error()));
-    without_number = std::move(made->without_number);
-    return std::move(made->plate);
-  }();
+  practice::SolidSettings solid{settings.raised, settings.negative, settings.thickness_mm, settings.plate};
+  solid.plate.hanging_hole = !settings.no_hole;
+  solid.plate.strokes.numbers = !settings.no_numbers;
+  solid.plate.strokes.start_dots = !settings.no_start_dots;
+  const auto plate = practice::tablet_plate(tablets.all, solid, settings.brush);
   if (!plate) return tl::unexpected(plate.error());
-  auto made = save_model(settings.negative ? model::mould_of(*plate) : *plate, place, tablets.subject,
-                         settings.raised ? kRaisedTolerance_mm : kGroovedTolerance_mm);
-  if (made) made->without_number = std::move(without_number);
-  return made;
+  return save_model(*plate, place, tablets.subject);
 }
 
 int run(Console& console, const ModelSettings& settings) {
@@ -127,7 +92,7 @@ int run(Console& console, const ModelSettings& settings) {
   } else {
     const auto characters = characters_with_strokes(console, settings.characters, settings.database);
     if (!characters) return characters.error();
-    tablets = tablets_of(*characters, settings);
+    tablets = tablets_of(*characters);
   }
   if (!tablets) return console.refuse(tablets.error());
   const auto made = make(*tablets, settings, *place);

@@ -20,7 +20,6 @@
 #include "nazori/functions/sound.h"
 #include "nazori/functions/tablet_curves.h"
 #include "nazori/functions/value_table.h"
-#include "nazori/model/raised.h"
 #include "nazori/surface/height_map.h"
 #include "options.h"
 #include "output_files.h"
@@ -147,45 +146,12 @@ base::Result<void> save(const Files& files, const functions::Picture& picture, c
   return {};
 }
 
-std::vector<model::RaisedTick> ticks_of(double low, double high) {
-  std::vector<model::RaisedTick> ticks;
-  const double step = functions::tick_step(low, high);
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
-    ticks.push_back({(k * step - low) / (high - low), fmt::format("{:.6g}", k == 0 ? 0.0 : k * step)});
-  return ticks;
-}
-
 /// The plot as raised lines, or as a raised surface.
 base::Result<void> save_solid(const functions::Plot& plot, const functions::Picture& picture,
                               const PlotSettings& s, const OutputPlace& place) {
-  constexpr double kTolerance_mm = 0.02;
-  constexpr int kStyles = 3;
-  const functions::Window& w = picture.tracing.window;
-  model::RaisedPlot raised;
-  model::RaisedPlotSettings settings;
-  settings.side_mm = s.model_side_mm;
-  raised.x_ticks = ticks_of(w.x0, w.x1);
-  raised.y_ticks = ticks_of(w.y0, w.y1);
-  if (w.y0 <= 0 && w.y1 >= 0) raised.x_axis = w.v(0);
-  if (w.x0 <= 0 && w.x1 >= 0) raised.y_axis = w.u(0);
-  if (plot.is_surface()) {
-    raised.surface = &picture.plate.heights;
-  } else {
-    const geometry::TabletShape shape{1, 1};
-    for (const functions::TabletCurve& curve :
-         functions::tablet_curves(picture.tracing, picture.plate.heights.size(), shape, 1e-4)) {
-      model::RaisedCurve line;
-      line.style = static_cast<model::CurveStyle>(curve.statement % kStyles);
-      for (const geometry::TabletPoint p : curve.points) {
-        const auto at = functions::plate_place(p, picture.plate.heights.size(), shape);
-        line.line.push_back({at.u, at.v});
-      }
-      raised.curves.push_back(std::move(line));
-    }
-  }
-  const auto plate = model::raised_plot(raised, settings);
+  const auto plate = practice::plot_plate(plot, picture, s.model_side_mm);
   if (!plate) return tl::unexpected(plate.error());
-  const auto made = save_model(*plate, place, functions::canonical(plot), kTolerance_mm);
+  const auto made = save_model(*plate, place, functions::canonical(plot));
   if (!made) return tl::unexpected(made.error());
   return {};
 }

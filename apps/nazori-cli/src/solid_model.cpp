@@ -3,40 +3,26 @@
 
 #include <fmt/format.h>
 
-#include "nazori/base/file.h"
 #include "nazori/model/mesh.h"
-#include "nazori/model/mesh_file.h"
-#include "options.h"
 
 namespace nazori::cli {
 
-base::Result<exchange::SolidModel> save_model(const model::Plate& plate, const OutputPlace& place,
-                                              const std::string& subject, double tolerance_mm) {
-  model::MeshSettings settings;
-  settings.tolerance_mm = tolerance_mm;
-  const auto made = model::mesh_of(plate, settings);
-  if (!made) return tl::unexpected(made.error());
-  std::vector<std::uint8_t> bytes;
-  if (has_extension(place.path(), ".3mf")) {
-    auto packed = model::to_3mf(made->mesh, subject);
-    if (!packed) return tl::unexpected(std::move(packed.error()));
-    bytes = *std::move(packed);
-  } else {
-    bytes = model::to_stl(made->mesh);
-  }
-  if (auto saved = base::write_file(place.path(), bytes); !saved)
+base::Result<exchange::SolidModel> save_model(const practice::SolidPlate& plate, const OutputPlace& place,
+                                              const std::string& subject) {
+  const auto solid = practice::solid_of(plate);
+  if (!solid) return tl::unexpected(solid.error());
+  if (auto saved = practice::save_solid(*solid, place.path(), subject); !saved)
     return tl::unexpected(std::move(saved.error()));
-  float highest = 0;
-  for (const float height : plate.heights()) highest = std::max(highest, height);
   exchange::SolidModel model;
   model.subject = subject;
   model.file = place.name();
-  model.width_mm = plate.width_mm();
-  model.height_mm = plate.height_mm();
-  model.thickness_mm = highest;
-  model.volume_mm3 = model::volume_mm3(made->mesh);
-  model.triangles = made->mesh.triangles.size();
-  model.error_mm = made->error_mm;
+  model.width_mm = solid->width_mm;
+  model.height_mm = solid->height_mm;
+  model.thickness_mm = solid->thickness_mm;
+  model.volume_mm3 = model::volume_mm3(solid->mesh);
+  model.triangles = solid->mesh.triangles.size();
+  model.error_mm = solid->error_mm;
+  model.without_number = solid->without_number;
   return model;
 }
 

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "characters.h"
@@ -15,6 +17,7 @@
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
 #include "nazori/exchange/tablets.h"
+#include "nazori/practice/worksheet_choice.h"
 #include "options.h"
 #include "output_files.h"
 #include "study_session.h"
@@ -24,7 +27,6 @@ namespace nazori::cli {
 namespace {
 
 constexpr std::size_t kMostTextBytes = 4U << 20U;
-constexpr int kMostPrintedWords = 3;
 
 struct WorksheetSettings {
   std::vector<std::string> characters;
@@ -43,14 +45,10 @@ struct WorksheetSettings {
   bool no_numbers = false;
   bool no_arrows = false;
   bool no_facts = false;
+  bool no_name_line = false;
   print::SheetSettings sheet;
   StudyOptions study;
 };
-
-bool is_kanji(char32_t c) {
-  return (c >= 0x3400 && c <= 0x9FFF) || (c >= 0xF900 && c <= 0xFAFF) || (c >= 0x20000 && c <= 0x3FFFF) ||
-         c == U'々';
-}
 
 kanji::List grade_list(int grade) {
   return static_cast<kanji::List>(static_cast<int>(kanji::List::grade_1) + grade - 1);
@@ -109,31 +107,31 @@ base::Result<std::vector<CharacterName>> names_of(const WorksheetSettings& s, co
     for (const char32_t one : *chosen) add({one, {}});
   }
   if (s.sheet.layout != print::Layout::manuscript) {
-    for (const char32_t one : base::decode_utf8(text).value_or(U"")) {
-      if (is_kanji(one) && database.draws(one)) add({one, {}});
-    }
+    for (const char32_t one :
+         practice::characters_of_text(text, [&](char32_t c) { return database.draws(c); }))
+      add({one, {}});
   }
   return names;
 }
 
+/// The value of an enumeration with this name. The command line has checked that there is one.
+template <class Enum, std::size_t N>
+Enum named(const std::array<std::string_view, N>& names, const std::string& name, Enum otherwise) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  return at == names.end() ? otherwise : static_cast<Enum>(at - names.begin());
+}
+
 void complete(WorksheetSettings& s) {
-  s.sheet.layout = s.layout == "quiz"         ? print::Layout::quiz
-                   : s.layout == "cards"      ? print::Layout::cards
-                   : s.layout == "manuscript" ? print::Layout::manuscript
-                                              : print::Layout::practice;
-  s.sheet.paper = s.paper == "b5"       ? print::Paper::b5
-                  : s.paper == "letter" ? print::Paper::letter
-                                        : print::Paper::a4;
-  s.sheet.guide = s.guide == "none" ? print::Guide::none
-                  : s.guide == "田" ? print::Guide::field
-                  : s.guide == "米" ? print::Guide::diagonals
-                                    : print::Guide::cross;
+  s.sheet.layout = named(print::kLayoutNames, s.layout, print::Layout::practice);
+  s.sheet.paper = named(print::kPaperNames, s.paper, print::Paper::a4);
+  s.sheet.guide = named(print::kGuideNames, s.guide, print::Guide::cross);
   s.sheet.language = s.language == "ja" ? print::Language::japanese : print::Language::english;
   s.sheet.title = s.title;
   s.sheet.steps = !s.no_steps;
   s.sheet.numbers = !s.no_numbers;
   s.sheet.arrows = !s.no_arrows;
   s.sheet.facts = !s.no_facts;
+  s.sheet.name_line = !s.no_name_line;
 }
 
 int run(Console& console, WorksheetSettings s) {
@@ -157,24 +155,17 @@ int run(Console& console, WorksheetSettings s) {
     return console.refuse({base::Errc::bad_argument, "there is no character to print", "",
                            "name some, or give --grade, --list, --due or --text"});
   }
-  FoundCharacters found = find_characters(*database, *names);
+  const practice::SheetCharacters found = practice::sheet_characters(*database, *names, s.sheet);
   if (database->trouble()) return console.refuse(*database->trouble());
   if (!found.missing.empty()) return console.deny(not_found(found.missing));
-  const bool wants_words = s.sheet.facts || s.sheet.layout == print::Layout::quiz;
-  std::vector<print::SheetCharacter> characters;
-  for (kanji::Character& character : found.found) {
-    const char32_t code_point = character.code_point;
-    characters.push_back({std::move(character), wants_words ? database->words(code_point, kMostPrintedWords)
-                                                            : std::vector<kanji::Word>()});
-  }
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
-  const auto pdf = print::worksheet_pdf(characters, s.sheet, progress.callback());
+  const auto pdf = print::worksheet_pdf(found.found, s.sheet, progress.callback());
   progress.clear();
   if (!pdf) return console.refuse(pdf.error());
   if (auto saved = base::write_file(place->path(), *pdf); !saved) return console.refuse(saved.error());
   if (auto sent = place->deliver(console); !sent) return console.refuse(sent.error());
   if (place->is_console()) return kDone;
-  const exchange::PrintedSheet sheet{place->name(), s.layout, characters.size(), pdf->size()};
+  const exchange::PrintedSheet sheet{place->name(), s.layout, found.found.size(), pdf->size()};
   console.print(s.study.json
                     ? to_text(exchange::to_json(sheet))
                     : fmt::format("{}  {}, {} bytes\n", sheet.file,
@@ -200,8 +191,10 @@ void add_worksheet(CLI::App& app, Action& chosen) {
       ->check(within(1, 6))
       ->type_name("N")
       ->group(which);
-  verb->add_option("--text", s->text,
-                   "Every kanji of a text file (UTF-8); for manuscript paper, the text itself")
+  verb->add_option(
+          "--text", s->text,
+          "Every kanji of a text file (UTF-8), or its kana if it has none; for manuscript paper, the text "
+          "itself")
       ->type_name("FILE")
       ->group(which);
   verb->add_option("--list", s->list,
@@ -235,12 +228,12 @@ void add_worksheet(CLI::App& app, Action& chosen) {
       ->type_name("GUIDE")
       ->group(how);
   verb->add_option("--rows", s->sheet.rows, "Rows of cells for each character")
-      ->check(within(0, 40))
+      ->check(within(0, print::kMostRows))
       ->capture_default_str()
       ->type_name("N")
       ->group(how);
   verb->add_option("--copies", s->sheet.copies, "Cells that show the character, fainter and fainter")
-      ->check(within(0, 40))
+      ->check(within(0, print::kMostRows))
       ->capture_default_str()
       ->type_name("N")
       ->group(how);
@@ -250,6 +243,7 @@ void add_worksheet(CLI::App& app, Action& chosen) {
   verb->add_flag("--no-numbers", s->no_numbers, "No stroke numbers")->group(how);
   verb->add_flag("--no-arrows", s->no_arrows, "No arrows on the strokes")->group(how);
   verb->add_flag("--no-facts", s->no_facts, "No readings, meanings and words")->group(how);
+  verb->add_flag("--no-name-line", s->no_name_line, "No lines for name, class and date")->group(how);
   verb->add_flag("--answers", s->sheet.answers, "Answers on the back of each page (quiz)")->group(how);
   verb->add_flag("--booklet", s->sheet.booklet, "Two pages a side, in the order of a folded booklet")
       ->group(how);

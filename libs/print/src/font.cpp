@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace nazori::print {
 namespace {
@@ -35,6 +36,53 @@ std::string file_of(const std::string& family) {
     if (family == reinterpret_cast<const char*>(found)) return reinterpret_cast<const char*>(file);
   }
   return {};
+}
+
+/// Receives the shape of a glyph from HarfBuzz.
+struct OutlinePen {
+  std::vector<PathStep> steps;
+  double units = 1000;
+
+  [[nodiscard]] PaperPoint at(float x, float y) const {
+    return {static_cast<double>(x) / units, static_cast<double>(y) / units};
+  }
+
+  static OutlinePen& of(void* data) { return *static_cast<OutlinePen*>(data); }
+  static void move(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float x, float y, void*) {
+    of(data).steps.push_back({PathStep::Kind::move, {of(data).at(x, y)}});
+  }
+  static void line(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float x, float y, void*) {
+    of(data).steps.push_back({PathStep::Kind::line, {of(data).at(x, y)}});
+  }
+  /// TrueType curves have one control point.
+  static void quadratic(hb_draw_funcs_t*, void* data, hb_draw_state_t* state, float cx, float cy, float x,
+                        float y, void*) {
+    const OutlinePen& pen = of(data);
+    const PaperPoint from = pen.at(state->current_x, state->current_y);
+    const PaperPoint control = pen.at(cx, cy);
+    const PaperPoint to = pen.at(x, y);
+    of(data).steps.push_back(
+        {PathStep::Kind::curve, {from + (control - from) * (2.0 / 3), to + (control - to) * (2.0 / 3), to}});
+  }
+  static void cubic(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float ax, float ay, float bx, float by,
+                    float x, float y, void*) {
+    const OutlinePen& pen = of(data);
+    of(data).steps.push_back({PathStep::Kind::curve, {pen.at(ax, ay), pen.at(bx, by), pen.at(x, y)}});
+  }
+  static void close(hb_draw_funcs_t*, void* data, hb_draw_state_t*, void*) {
+    of(data).steps.push_back({PathStep::Kind::close, {}});
+  }
+};
+
+std::unique_ptr<hb_draw_funcs_t, decltype(&hb_draw_funcs_destroy)> outline_functions() {
+  std::unique_ptr<hb_draw_funcs_t, decltype(&hb_draw_funcs_destroy)> made(hb_draw_funcs_create(),
+                                                                          &hb_draw_funcs_destroy);
+  hb_draw_funcs_set_move_to_func(made.get(), &OutlinePen::move, nullptr, nullptr);
+  hb_draw_funcs_set_line_to_func(made.get(), &OutlinePen::line, nullptr, nullptr);
+  hb_draw_funcs_set_quadratic_to_func(made.get(), &OutlinePen::quadratic, nullptr, nullptr);
+  hb_draw_funcs_set_cubic_to_func(made.get(), &OutlinePen::cubic, nullptr, nullptr);
+  hb_draw_funcs_set_close_path_func(made.get(), &OutlinePen::close, nullptr, nullptr);
+  return made;
 }
 
 }  // namespace
@@ -97,6 +145,21 @@ void Font::use(GlyphId glyph, char32_t code_point) {
 }
 
 double Font::advance(GlyphId glyph) const { return hb_font_get_glyph_h_advance(font_.get(), glyph) / units_; }
+
+const std::vector<PathStep>& Font::outline(GlyphId glyph) {
+  const auto [at, is_new] = outlines_.try_emplace(glyph);
+  if (!is_new) return at->second;
+  OutlinePen pen;
+  pen.units = units_;
+  const auto functions = outline_functions();
+#if HB_VERSION_ATLEAST(7, 0, 0)
+  hb_font_draw_glyph(font_.get(), glyph, functions.get(), &pen);
+#else
+  hb_font_get_glyph_shape(font_.get(), glyph, functions.get(), &pen);
+#endif
+  at->second = std::move(pen.steps);
+  return at->second;
+}
 
 std::string Font::subset() const {
   const std::unique_ptr<hb_subset_input_t, decltype(&hb_subset_input_destroy)> input(

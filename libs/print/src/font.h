@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "nazori/base/result.h"
+#include "nazori/print/page_drawing.h"
 
 struct hb_face_t;
 struct hb_font_t;
@@ -28,6 +29,8 @@ class Font {
   void use(GlyphId glyph, char32_t code_point);
   /// Width in ems.
   [[nodiscard]] double advance(GlyphId glyph) const;
+  /// The shape of a glyph in ems, y up. Valid as long as this font.
+  [[nodiscard]] const std::vector<PathStep>& outline(GlyphId glyph);
 
   [[nodiscard]] const std::string& name() const { return name_; }  ///< as in PDF: "KleeOne"
   [[nodiscard]] const std::map<GlyphId, char32_t>& used() const { return used_; }
@@ -53,6 +56,7 @@ class Font {
   double descent_ = -0.12;
   std::map<GlyphId, char32_t> used_;
   std::map<char32_t, GlyphId> vertical_;
+  std::map<GlyphId, std::vector<PathStep>> outlines_;
 };
 
 }  // namespace nazori::print

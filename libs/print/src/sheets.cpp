@@ -42,9 +42,11 @@ void Sheets::draw_header(Canvas& canvas) {
     canvas.text(x, y, name, 3.2, 0.2);
   };
   const double scale = std::min(1.0, (size_.width - 2 * kMargin_mm) / 186);
-  field(label("Date", "日付"), 24 * scale);
-  field(label("Class", "組"), 20 * scale);
-  field(label("Name", "名前"), 46 * scale);
+  if (s_.name_line) {
+    field(label("Date", "日付"), 24 * scale);
+    field(label("Class", "組"), 20 * scale);
+    field(label("Name", "名前"), 46 * scale);
+  }
   const std::u32string title = cut(fonts_, wide(s_.title), (x - kMargin_mm - 3) / 4);
   canvas.text(kMargin_mm, y, title, 4);
 }

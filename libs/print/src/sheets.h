@@ -46,9 +46,23 @@ class Sheets {
   }
 
   base::Result<void> draw(const base::Progress& progress);
-  [[nodiscard]] std::string file();
+  /// The document as PDF. @return Errc::cancelled.
+  [[nodiscard]] base::Result<std::string> file(const base::Progress& progress);
+  /// Sides of paper; of a booklet, each shows two pages.
+  [[nodiscard]] std::size_t side_count() const;
+  /// @param index  less than side_count().
+  [[nodiscard]] PageDrawing side(std::size_t index);
 
  private:
+  /// A side of paper, in PDF.
+  struct Side {
+    Size size;
+    std::string content;
+  };
+  [[nodiscard]] Side content_of_side(std::size_t index) const;
+  /// The content of a form object that pages place by its name: a cell "G0", a character "C0", half a side of
+  /// a booklet "P0".
+  [[nodiscard]] std::string content_of_object(std::string_view name);
   [[nodiscard]] Rect area() const {
     return {kMargin_mm, kMargin_mm + kHeader_mm, size_.width - 2 * kMargin_mm,
             size_.height - 2 * kMargin_mm - kHeader_mm - kFooter_mm};

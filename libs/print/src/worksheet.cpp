@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sheets.h"
 
@@ -20,8 +22,8 @@ base::Result<void> check(const std::vector<SheetCharacter>& characters, const Sh
     return refuse("there is no character to print", "give one or more");
   if (!(s.cell_mm >= kSmallestCell_mm && s.cell_mm <= kLargestCell_mm))
     return refuse(fmt::format("a cell cannot be {:.4g} mm", s.cell_mm), "give 8 to 60 mm");
-  if (s.rows < 0 || s.rows > 40 || s.copies < 0 || s.copies > 40)
-    return refuse("the number of rows or copies is out of range", "give 0 to 40");
+  if (s.rows < 0 || s.rows > kMostRows || s.copies < 0 || s.copies > kMostRows)
+    return refuse("the number of rows or copies is out of range", fmt::format("give 0 to {}", kMostRows));
   if (s.layout == Layout::practice && !s.whole_page) {
     const Size size = size_of(s);
     const double depth = (s.vertical ? size.width : size.height - kHeader_mm - kFooter_mm) - 2 * kMargin_mm;
@@ -37,14 +39,45 @@ base::Result<void> check(const std::vector<SheetCharacter>& characters, const Sh
 
 }  // namespace
 
-base::Result<std::string> worksheet_pdf(const std::vector<SheetCharacter>& characters,
-                                        const SheetSettings& settings, const base::Progress& progress) {
+struct Worksheet::Inside {
+  Inside(std::vector<SheetCharacter> all, SheetSettings chosen, Fonts fonts)
+      : characters(std::move(all)),
+        settings(std::move(chosen)),
+        sheets(characters, settings, std::move(fonts)) {}
+
+  std::vector<SheetCharacter> characters;
+  SheetSettings settings;
+  Sheets sheets;  // refers to the others
+};
+
+Worksheet::Worksheet(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+Worksheet::Worksheet(Worksheet&&) noexcept = default;
+Worksheet& Worksheet::operator=(Worksheet&&) noexcept = default;
+Worksheet::~Worksheet() = default;
+
+base::Result<Worksheet> Worksheet::lay_out(std::vector<SheetCharacter> characters, SheetSettings settings,
+                                           const base::Progress& progress) {
   if (auto fine = check(characters, settings); !fine) return tl::unexpected(std::move(fine.error()));
   auto fonts = Fonts::installed();
   if (!fonts) return tl::unexpected(std::move(fonts.error()));
-  Sheets sheets(characters, settings, *std::move(fonts));
-  if (auto drawn = sheets.draw(progress); !drawn) return tl::unexpected(std::move(drawn.error()));
-  return sheets.file();
+  auto inside = std::make_unique<Inside>(std::move(characters), std::move(settings), *std::move(fonts));
+  if (auto drawn = inside->sheets.draw(progress); !drawn) return tl::unexpected(std::move(drawn.error()));
+  return Worksheet(std::move(inside));
+}
+
+std::size_t Worksheet::page_count() const { return inside_->sheets.side_count(); }
+
+PageDrawing Worksheet::page(std::size_t index) { return inside_->sheets.side(index); }
+
+base::Result<std::string> Worksheet::pdf(const base::Progress& progress) {
+  return inside_->sheets.file(progress);
+}
+
+base::Result<std::string> worksheet_pdf(const std::vector<SheetCharacter>& characters,
+                                        const SheetSettings& settings, const base::Progress& progress) {
+  auto sheet = Worksheet::lay_out(characters, settings, base::part_of(progress, 0, 0.6));
+  if (!sheet) return tl::unexpected(std::move(sheet.error()));
+  return sheet->pdf(base::part_of(progress, 0.6, 1));
 }
 
 }  // namespace nazori::print

@@ -79,6 +79,7 @@ find Ctrl+F
 *draw_to_find Ctrl+D
 -
 tell_apart Ctrl+Shift+D
+make_model Ctrl+Shift+F
 -
 next_character Ctrl+PgDown PgDown
 previous_character Ctrl+PgUp PgUp

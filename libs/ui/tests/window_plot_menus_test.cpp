@@ -29,6 +29,8 @@ plot_export_raw Ctrl+Alt+R
 plot_export_png Ctrl+Alt+P
 plot_export_print Ctrl+Alt+T
 plot_export_sound Ctrl+Alt+W
+-
+plot_make_model Ctrl+Shift+F
 [Trace]
 trace_on Right
 trace_back Left

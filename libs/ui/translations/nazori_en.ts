@@ -379,6 +379,30 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::WorksheetDialog</name>
+    <message numerus="yes">
+        <source>Saved %n pages as %1.</source>
+        <translation>
+            <numerusform>Saved %n page as %1.</numerusform>
+            <numerusform>Saved %n pages as %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pages</source>
+        <translation>
+            <numerusform>%n page</numerusform>
+            <numerusform>%n pages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::plot_words</name>
     <message numerus="yes">
         <source>%n branches</source>

@@ -322,6 +322,14 @@
         <source>More</source>
         <translation>その他</translation>
     </message>
+    <message>
+        <source>&amp;Print a worksheet…</source>
+        <translation>プリントを作る(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Practice sheets, quizzes, flash cards and manuscript paper as PDF</source>
+        <translation>練習プリント、小テスト、カード、原稿用紙を PDF で作ります</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::AnkiDialog</name>
@@ -982,6 +990,14 @@
         <source>Thin lines on the tablet: 十, 田 or none</source>
         <translation>文字板の細い線：十、田、なし</translation>
     </message>
+    <message>
+        <source>&amp;Make a model to touch…</source>
+        <translation>触れる模型を作る(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>A solid with raised lines or grooves, for a 3D printer</source>
+        <translation>3Dプリンター用に、浮き出した線か溝の立体を作ります</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::CharacterTile</name>
@@ -1080,6 +1096,14 @@
     <message>
         <source>Answer shown</source>
         <translation>答えを表示</translation>
+    </message>
+    <message>
+        <source>Finish this character first: a model would show it.</source>
+        <translation>先にこの文字を書き終えてください。模型を作ると答えが見えます。</translation>
+    </message>
+    <message>
+        <source>There is no tablet to make a model of yet.</source>
+        <translation>模型にする文字板がまだありません。</translation>
     </message>
 </context>
 <context>
@@ -2482,6 +2506,14 @@ Columns and rows:</source>
         <source>Change how expressions are read: verbose, brief, superbrief</source>
         <translation>式の読み上げ方を変えます：くわしく、短く、ごく短く</translation>
     </message>
+    <message>
+        <source>&amp;Make a model to touch…</source>
+        <translation>触れる模型を作る(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>A solid with raised curves, axes and numbers in braille, for a 3D printer</source>
+        <translation>3Dプリンター用に、浮き出した曲線と軸、点字の数字の立体を作ります</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::FunctionsPage</name>
@@ -2616,6 +2648,10 @@ Columns and rows:</source>
     <message>
         <source>%1 = %2</source>
         <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>There is no plot to make a model of yet.</source>
+        <translation>模型にするグラフがまだありません。</translation>
     </message>
 </context>
 <context>
@@ -4830,6 +4866,113 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::SolidDialog</name>
+    <message>
+        <source>Lines</source>
+        <translation>線</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>Stroke &amp;numbers in braille</source>
+        <translation>書き順の番号を点字で(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Dots where strokes start</source>
+        <translation>書き始めの点(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Hole to hang it up</source>
+        <translation>つり下げる穴(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Mould, to cast several</source>
+        <translation>型（何枚も作るとき）(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The model from above</source>
+        <translation>上から見た模型</translation>
+    </message>
+    <message>
+        <source>Make a model to touch: %1</source>
+        <translation>触れる模型を作る：%1</translation>
+    </message>
+    <message>
+        <source>Raised, for fingers</source>
+        <translation>浮き出し（指用）</translation>
+    </message>
+    <message>
+        <source>Grooves, for a stylus</source>
+        <translation>溝（ペン用）</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Lines</source>
+        <translation>線(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze of the square</source>
+        <translation>正方形の大きさ(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>There is no model: %1.</source>
+        <translation>模型を作れません：%1。</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>%1 に保存しました。</translation>
+    </message>
+    <message>
+        <source>%1: %2. Nothing was saved.</source>
+        <translation>%1：%2。何も保存していません。</translation>
+    </message>
+    <message>
+        <source>Making the model…</source>
+        <translation>模型を作成中…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>三角形%1個</translation>
+    </message>
+    <message>
+        <source>watertight</source>
+        <translation>すき間なし</translation>
+    </message>
+    <message>
+        <source>not watertight</source>
+        <translation>すき間あり</translation>
+    </message>
+    <message>
+        <source>No room for the numbers of strokes %1: a larger model has more.</source>
+        <translation>%1画目の番号を置く場所がありません。大きくすると置けます。</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>模型を保存</translation>
+    </message>
+    <message>
+        <source>3MF, with its size in millimetres (*.3mf)</source>
+        <translation>3MF、大きさをミリメートルで記録 (*.3mf)</translation>
+    </message>
+    <message>
+        <source>STL (*.stl)</source>
+        <translation>STL (*.stl)</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::SpokenActions</name>
     <message>
         <source>%1: on</source>
@@ -6484,6 +6627,294 @@ Columns and rows:</source>
     <message>
         <source>Character %1: empty</source>
         <translation>%1文字目：まだ書いていません</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorksheetDialog</name>
+    <message>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>前のページ</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>次のページ</translation>
+    </message>
+    <message>
+        <source>Print a worksheet</source>
+        <translation>プリントを作る</translation>
+    </message>
+    <message>
+        <source>Show the previous page (%1)</source>
+        <translation>前のページを表示します（%1）</translation>
+    </message>
+    <message>
+        <source>Show the next page (%1)</source>
+        <translation>次のページを表示します（%1）</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>PDF で保存(&amp;S)…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n pages as %1.</source>
+        <translation>
+            <numerusform>%nページを %1 に保存しました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2. Nothing was saved.</source>
+        <translation>%1：%2。何も保存していません。</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>%1/%2ページ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pages</source>
+        <translation>
+            <numerusform>%nページ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n字</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not in the database: %1</source>
+        <translation>データベースにない文字：%1</translation>
+    </message>
+    <message>
+        <source>There is no preview: %1.</source>
+        <translation>プレビューできません：%1。</translation>
+    </message>
+    <message>
+        <source>The rows do not fit on a page. Choose fewer rows or smaller cells.</source>
+        <translation>行が1ページに収まりません。行を減らすか、ますを小さくしてください。</translation>
+    </message>
+    <message>
+        <source>None of these characters has a word to ask. Choose other characters.</source>
+        <translation>出題できる言葉のある文字がありません。別の文字を選んでください。</translation>
+    </message>
+    <message>
+        <source>No reviews are due now. Choose other characters.</source>
+        <translation>今は復習する文字がありません。別の文字を選んでください。</translation>
+    </message>
+    <message>
+        <source>There are no difficult characters. Choose other characters.</source>
+        <translation>苦手な文字はありません。別の文字を選んでください。</translation>
+    </message>
+    <message>
+        <source>Type or paste a text with characters to write.</source>
+        <translation>書く文字の入った文章を入力するか、貼り付けてください。</translation>
+    </message>
+    <message>
+        <source>This list is empty. Choose other characters.</source>
+        <translation>このリストは空です。別の文字を選んでください。</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>PDF で保存</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>worksheet</source>
+        <translation>プリント</translation>
+    </message>
+    <message>
+        <source>Writing %1…</source>
+        <translation>%1 を書き出し中…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>止める</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was saved.</source>
+        <translation>止めました。何も保存していません。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorksheetOptions</name>
+    <message>
+        <source>&amp;Characters</source>
+        <translation>文字(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The character shown: %1</source>
+        <translation>表示中の文字：%1</translation>
+    </message>
+    <message>
+        <source>A list</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>Today&apos;s reviews</source>
+        <translation>今日の復習</translation>
+    </message>
+    <message>
+        <source>Difficult characters</source>
+        <translation>苦手な文字</translation>
+    </message>
+    <message>
+        <source>From a text</source>
+        <translation>文章から</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>&amp;List</source>
+        <translation>リスト(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文章</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>文章(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Paste a text here</source>
+        <translation>ここに文章を貼り付けます</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>種類(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Practice sheet</source>
+        <translation>練習プリント</translation>
+    </message>
+    <message>
+        <source>Quiz</source>
+        <translation>小テスト</translation>
+    </message>
+    <message>
+        <source>Flash cards</source>
+        <translation>カード</translation>
+    </message>
+    <message>
+        <source>Manuscript paper</source>
+        <translation>原稿用紙</translation>
+    </message>
+    <message>
+        <source>&amp;Paper</source>
+        <translation>用紙(&amp;P)</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>B5</source>
+        <translation>B5</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>レター</translation>
+    </message>
+    <message>
+        <source>Cell si&amp;ze</source>
+        <translation>ますの大きさ(&amp;Z)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Guide lines</source>
+        <translation>補助線(&amp;G)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Cross 十</source>
+        <translation>十字</translation>
+    </message>
+    <message>
+        <source>Four fields 田</source>
+        <translation>田の字</translation>
+    </message>
+    <message>
+        <source>Eight parts 米</source>
+        <translation>米の字</translation>
+    </message>
+    <message>
+        <source>&amp;One character a page</source>
+        <translation>1ページに1字(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Rows per character</source>
+        <translation>1字あたりの行数(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Cells to &amp;trace, fading</source>
+        <translation>なぞるます（しだいに薄く）(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Stroke &amp;order, step by step</source>
+        <translation>書き順を1画ずつ(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Stroke &amp;numbers</source>
+        <translation>書き順の番号(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Arrows on the strokes</source>
+        <translation>画の矢印(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Readings, &amp;meanings and words</source>
+        <translation>読み、意味、言葉(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ans&amp;wers on the back</source>
+        <translation>裏に答え(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical writing</source>
+        <translation>縦書き(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Folded &amp;booklet</source>
+        <translation>二つ折りの冊子(&amp;B)</translation>
+    </message>
+    <message>
+        <source>L&amp;ine for name, class and date</source>
+        <translation>名前、組、日付の欄(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>題名</translation>
+    </message>
+    <message>
+        <source>Titl&amp;e</source>
+        <translation>題名(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Lang&amp;uage of the sheet</source>
+        <translation>プリントの言語(&amp;U)</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>英語</translation>
+    </message>
+    <message>
+        <source>Japanese</source>
+        <translation>日本語</translation>
     </message>
 </context>
 <context>

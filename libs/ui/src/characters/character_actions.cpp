@@ -40,6 +40,9 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   tell_apart = make("tell_apart", tr("&Tell apart"),
                     tr("A short drill with the characters it is confused with"), "Ctrl+Shift+D");
 
+  make_model = make("make_model", tr("&Make a model to touch…"),
+                    tr("A solid with raised lines or grooves, for a 3D printer"), "Ctrl+Shift+F");
+
   for (const auto& row : stage_rows()) {
     stages.append(make(row.id.data(), tr(row.name), tr(row.purpose), row.key, true, row.drawing));
   }
@@ -99,8 +102,9 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   make_exclusive({groove_hidden, groove_shown, groove_appears});
   make_exclusive({lenient, normal, strict});
 
-  add_group(tr("&Character"), {find, find_by_parts, find_by_radical, draw_to_find, nullptr, tell_apart,
-                               nullptr, next_character, previous_character, nullptr, back, forward});
+  add_group(tr("&Character"),
+            {find, find_by_parts, find_by_radical, draw_to_find, nullptr, tell_apart, make_model, nullptr,
+             next_character, previous_character, nullptr, back, forward});
   add_group(tr("&Strokes"), {next_stroke, previous_stroke, all_strokes, nullptr, strokes, numbers, arrows,
                              snap, writing_cross, nullptr, clear_ink});
   add_group(tr("&Practice"), stages + QList<QAction*>{nullptr, play, step_back, step_on, slower, faster, loop,

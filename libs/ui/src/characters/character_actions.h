@@ -18,7 +18,7 @@ class CharacterActions final : public ActionSet {
   QAction *find, *next_character, *previous_character, *back, *forward;
   QAction *next_stroke, *previous_stroke, *all_strokes;
   QAction *strokes, *numbers, *arrows, *snap, *clear_ink;
-  QAction *draw_to_find, *find_by_parts, *find_by_radical, *tell_apart;
+  QAction *draw_to_find, *find_by_parts, *find_by_radical, *tell_apart, *make_model;
   QList<QAction*> stages;  ///< in the order of stage_rows()
   QAction *play, *step_back, *step_on, *slower, *faster, *loop;
   QAction *by_groove, *by_starts, *lead_hand;

@@ -26,6 +26,7 @@
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/feedback_tone.h"
 #include "nazori/widgets/words/kanji_text.h"
+#include "print/solid_dialog.h"
 #include "study/question_view.h"
 #include "study/session_actions.h"
 #include "study/session_answers.h"
@@ -292,7 +293,23 @@ void Characters::ask_and_save() {
   files_->ask_and_save(practice_.tablet(), own, file_name);
 }
 
+void Characters::ask_model() {
+  // What the learner is asked to write from memory must not be shown.
+  if (practice_.current_stage().hides_character())
+    return parts().announce(Feedback::advice, tr("Finish this character first: a model would show it."));
+  const auto& own = practice_.own();
+  if (own.tablet)
+    return ask_solid(
+        parts(),
+        {to_text(own.name), {{tablet::stroke_lines(own.tablet->lines()), own.tablet->height_map()}}, {}});
+  const auto& sheet = practice_.sheet();
+  if (!sheet || sheet->character.strokes.empty())
+    return parts().announce(Feedback::advice, tr("There is no tablet to make a model of yet."));
+  ask_solid(parts(), {to_text(sheet->character.code_point), {{sheet->character.lines(), {}}}, {}});
+}
+
 void Characters::connect_actions() {
+  on(actions_->make_model, [this] { ask_model(); });
   on(actions_->find, [this] {
     open_search();
     library_panel_->focus_search();

@@ -68,6 +68,8 @@ class Characters final : public Page {
   void connect_study_actions();
   void connect_standing();
   void show_standing();
+  /// Opens the dialog for a solid of the tablet that is shown.
+  void ask_model();
   void show_character();
   void show_own();
   void show_stage();

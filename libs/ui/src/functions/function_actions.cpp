@@ -21,6 +21,10 @@ FunctionActions::FunctionActions(QWidget* window) : ActionSet(window) {
   export_sound = make("plot_export_sound", tr("Save the s&ound…"), tr("Save the sound of all curves as WAV"),
                       "Ctrl+Alt+W");
 
+  make_model =
+      make("plot_make_model", tr("&Make a model to touch…"),
+           tr("A solid with raised curves, axes and numbers in braille, for a 3D printer"), "Ctrl+Shift+F");
+
   step_on = make_on_tablet("trace_on", tr("Forward &along the curve"), tr("Move right by 1% of the range"),
                            "Right");
   step_back =
@@ -76,7 +80,7 @@ FunctionActions::FunctionActions(QWidget* window) : ActionSet(window) {
 
   add_group(tr("&Plot"),
             {expression, points, nullptr, zoom_in, zoom_out, pan_left, pan_right, pan_up, pan_down,
-             reset_window, nullptr, export_raw, export_png, export_print, export_sound});
+             reset_window, nullptr, export_raw, export_png, export_print, export_sound, nullptr, make_model});
   add_group(tr("T&race"), {step_on,     step_back, tick_on,    tick_back,   to_start,    to_end,   branch_on,
                            branch_back, point_on,  point_back, nullptr,     coordinates, slope,    summary,
                            speech,      nullptr,   beacon,     next_beacon, nullptr,     curve_on, curve_back,

@@ -12,7 +12,7 @@ class FunctionActions final : public ActionSet {
   explicit FunctionActions(QWidget* window);
 
   QAction *expression, *points, *zoom_in, *zoom_out, *pan_left, *pan_right, *pan_up, *pan_down, *reset_window;
-  QAction *export_raw, *export_png, *export_print, *export_sound;
+  QAction *export_raw, *export_png, *export_print, *export_sound, *make_model;
   QAction *step_on, *step_back, *tick_on, *tick_back, *to_start, *to_end, *branch_on, *branch_back;
   QAction *point_on, *point_back, *coordinates, *slope, *summary, *speech, *beacon, *next_beacon;
   QAction *curve_on, *curve_back, *all_curves, *alone, *next_alone, *snap, *clear_ink;

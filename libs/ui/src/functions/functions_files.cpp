@@ -9,6 +9,7 @@
 #include "functions/plot_words.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/words/error_text.h"
+#include "print/solid_dialog.h"
 
 namespace nazori::ui {
 
@@ -75,6 +76,12 @@ void FunctionsPage::ask_and_write(functions::PlotFile kind) {
   parts().preferences().folder = QFileInfo(path).absolutePath();
   parts().save_later();
   write(kind, path);
+}
+
+void FunctionsPage::ask_model() {
+  if (!shown() || !shown()->final)
+    return parts().announce(Feedback::advice, tr("There is no plot to make a model of yet."));
+  ask_solid(parts(), {QString::fromStdString(functions::canonical(shown()->request.plot)), {}, shown()});
 }
 
 void FunctionsPage::write(functions::PlotFile kind, const QString& path) {

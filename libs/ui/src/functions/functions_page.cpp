@@ -212,6 +212,7 @@ void FunctionsPage::connect_window() {
   on(actions_->export_png, [this] { ask_and_write(functions::PlotFile::png); });
   on(actions_->export_print, [this] { ask_and_write(functions::PlotFile::print); });
   on(actions_->export_sound, [this] { ask_and_write(functions::PlotFile::sound); });
+  on(actions_->make_model, [this] { ask_model(); });
 }
 
 void FunctionsPage::connect_work() {

@@ -73,6 +73,8 @@ class FunctionsPage final : public Page {
   void show_plot(const practice::TabletPlot& plot);
   void open(const functions::PlotDocument& document);
   void ask_and_write(functions::PlotFile kind);
+  /// Opens the dialog for a solid of the plot that is shown.
+  void ask_model();
 
   /// Announces what a key did on the plot. If the position has moved, tone and stylus follow.
   void announce(const functions::PlotEvent& event);

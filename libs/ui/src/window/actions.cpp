@@ -48,6 +48,8 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
   open =
       make("open", tr("&Open…"), tr("Open a height map (RAW, PNG) or a stroke order file (.str)"), "Ctrl+O");
   save = make("save", tr("&Save as…"), tr("Save the tablet as RAW, PNG or .str"), "Ctrl+S");
+  print = make("print", tr("&Print a worksheet…"),
+               tr("Practice sheets, quizzes, flash cards and manuscript paper as PDF"), "Ctrl+P");
   record = make("record", tr("&Record pen motion"), tr("Save every position and force of the pen to a file"),
                 "Ctrl+Shift+R", true);
   quit = make("quit", tr("&Quit"), tr("Close Nazori"), "Q Ctrl+Q");
@@ -102,7 +104,7 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
   make_exclusive({theme_desktop, theme_light, theme_dark});
   make_exclusive({language_desktop, language_english, language_japanese});
 
-  file_ = {tr("&File"), {open, save, nullptr, record, nullptr, quit}};
+  file_ = {tr("&File"), {open, save, nullptr, print, nullptr, record, nullptr, quit}};
   tablet_ = {tr("&Tablet"),
              {wood,      slate,      classic,      nullptr,      reset_view,   zoom_in,   zoom_out,   nullptr,
               turn_left, turn_right, tilt_up,      tilt_down,    nullptr,      move_left, move_right, move_up,

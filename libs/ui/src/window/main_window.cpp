@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QKeyEvent>
@@ -160,8 +161,11 @@ MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& lo
   QObject::connect(&save_timer, &QTimer::timeout, &owner, [this] { save_preferences(); });
 }
 
-// The tablet draws objects of `parts`, so it is destroyed before them.
-MainWindow::Inside::~Inside() { delete tablet_container; }
+// The tablet draws objects of `parts`, and open dialogs use them, so both are destroyed before them.
+MainWindow::Inside::~Inside() {
+  qDeleteAll(window.findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly));
+  delete tablet_container;
+}
 
 void MainWindow::Inside::build(const Setup& setup) {
   describe_choices();

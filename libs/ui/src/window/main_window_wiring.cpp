@@ -17,6 +17,7 @@
 #include "nazori/widgets/tablet/tablet_window.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
+#include "print/worksheet_dialog.h"
 #include "window/actions.h"
 #include "window/main_window_inside.h"
 #include "window/page_rail.h"
@@ -72,6 +73,7 @@ void MainWindow::Inside::connect_actions() {
     current->ask_and_save();
     focus_tablet();
   });
+  on(actions->print, [this] { ask_worksheet(parts); });
   on(actions->record, [this](bool wanted) {
     record(wanted);
     focus_tablet();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +12,7 @@
 #include "nazori/base/progress.h"
 #include "nazori/base/result.h"
 #include "nazori/kanji/character.h"
+#include "nazori/print/page_drawing.h"
 
 namespace nazori::print {
 
@@ -30,6 +34,11 @@ enum class Guide : std::uint8_t {
 
 enum class Paper : std::uint8_t { a4, b5, letter };
 
+/// The names in settings and in commands, in the order of the enumerations.
+inline constexpr std::array<std::string_view, 4> kLayoutNames{"practice", "quiz", "cards", "manuscript"};
+inline constexpr std::array<std::string_view, 4> kGuideNames{"none", "十", "田", "米"};
+inline constexpr std::array<std::string_view, 3> kPaperNames{"a4", "b5", "letter"};
+
 /// The language of what is printed around the characters: Name or 名前.
 enum class Language : std::uint8_t { english, japanese };
 
@@ -39,8 +48,8 @@ struct SheetSettings {
   Guide guide = Guide::cross;
   Language language = Language::english;
   double cell_mm = 15;      ///< side of a cell to write in, kSmallestCell_mm..kLargestCell_mm
-  int rows = 2;             ///< of cells for each character (practice), 0..40
-  int copies = 4;           ///< cells of them that show the character, fainter and fainter; 0..40
+  int rows = 2;             ///< of cells for each character (practice), 0..kMostRows
+  int copies = 4;           ///< cells of them that show the character, fainter and fainter; 0..kMostRows
   bool whole_page = false;  ///< practice: one character a page, filled with rows
   bool vertical = false;    ///< cells and text from top to bottom, from right to left
   bool steps = true;        ///< practice: a box a stroke that shows how the character grows
@@ -49,10 +58,15 @@ struct SheetSettings {
   bool facts = true;        ///< readings, meanings, words
   bool answers = false;     ///< quiz: behind each page another with the answers
   bool booklet = false;  ///< two pages side by side on each side of a sheet, in the order of a folded booklet
+  bool name_line = true;  ///< practice and quiz: lines for name, class and date beside the title
   std::string title;
   std::string text;  ///< manuscript: the text, in faint letters; empty for empty paper
+
+  friend bool operator==(const SheetSettings&, const SheetSettings&) = default;
 };
 
+/// The greatest number of rows, and of cells that show the character.
+inline constexpr int kMostRows = 40;
 inline constexpr double kSmallestCell_mm = 8;
 inline constexpr double kLargestCell_mm = 60;
 /// Nothing is printed closer to an edge of the paper; of a booklet, to an edge of its page.
@@ -62,6 +76,31 @@ inline constexpr double kMargin_mm = 12;
 struct SheetCharacter {
   kanji::Character character;
   std::vector<kanji::Word> words;
+};
+
+/// A document whose pages are laid out: they can be shown one by one, and written as PDF. What is shown is
+/// read from the content of the file, so both are the same. Thread rules: one thread at a time.
+class Worksheet {
+ public:
+  /// @return the errors of worksheet_pdf().
+  [[nodiscard]] static base::Result<Worksheet> lay_out(std::vector<SheetCharacter> characters,
+                                                       SheetSettings settings,
+                                                       const base::Progress& progress = {});
+  Worksheet(Worksheet&&) noexcept;
+  Worksheet& operator=(Worksheet&&) noexcept;
+  ~Worksheet();
+
+  /// Sides of paper, at least one. Of a booklet, each shows two of its pages.
+  [[nodiscard]] std::size_t page_count() const;
+  /// @param index  less than page_count(). @cost a few milliseconds.
+  [[nodiscard]] PageDrawing page(std::size_t index);
+  /// The file, as worksheet_pdf() describes. @return Errc::cancelled.
+  [[nodiscard]] base::Result<std::string> pdf(const base::Progress& progress = {});
+
+ private:
+  struct Inside;
+  explicit Worksheet(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
 };
 
 /// The pages as PDF 1.5. Strokes are paths. All letters are text in embedded fonts of which only the used
