@@ -15,7 +15,13 @@ class Fault:
     line: int  # from 1
     kind: str
     before: str
-    after: str
+    begin: int  # the part that changes
+    end: int
+    instead: str
+
+    @property
+    def after(self):
+        return self.before[:self.begin] + self.instead + self.before[self.end:]
 
     def __str__(self):
         return f"{self.file}:{self.line}: {self.kind}: {self.before.strip()} -> {self.after.strip() or '(nothing)'}"
@@ -70,7 +76,7 @@ def faults_of(file, text):
             continue
 
         def plant(kind, begin, end, instead):
-            found.append(Fault(file, number, kind, line, line[:begin] + instead + line[end:]))
+            found.append(Fault(file, number, kind, line, begin, end, instead))
 
         is_template = re.search(r"\b(template|static_cast|const_cast|reinterpret_cast|vector|span|optional|function|Result|array|map|"
                                 r"unique_ptr|shared_ptr|pair|tuple|numeric_limits|include|Point2|make_unique|make_shared|"
