@@ -96,7 +96,7 @@ def run_tests(name, filters, fault, seconds, reached=None):
         if reached:
             environment["NAZORI_FAULT_REACHED"] = reached
         # A fault may fill the memory or the disk.
-        code, out = run(["prlimit", "--core=0", f"--data={6 << 30}", f"--fsize={2 << 30}", str(BUILD / "bin" / f"nazori_{name}_tests"),
+        code, out = run(["prlimit", "--core=0", f"--data={6 << 30}:", f"--fsize={2 << 30}:", str(BUILD / "bin" / f"nazori_{name}_tests"),
                          "--gtest_fail_fast", f"--gtest_filter={':'.join(filters)}"], seconds, env=environment, cwd=folder)
     if code == 0:
         return ""
