@@ -106,6 +106,9 @@ def faults_of(file, text):
             # A physical quantity written without a fraction.
             if value > 2 and re.search(r"\b(double|float)\b", bare[:match.start()]):
                 plant("constant", match.start(), match.end(), f"{value * 1.4:.6g}")
+            elif value > 0 and bare[:match.start()].endswith("[") and bare.startswith("]", match.end()):
+                # The element after the last is none: what a program does with it nobody can say.
+                plant("off by one", match.start(), match.end(), str(value - 1))
             else:
                 plant("off by one", match.start(), match.end(), str(value + 1))
         for match in re.finditer(r"(?<![\w.'])(\d+\.\d*(?:e[-+]?\d+)?|\d+e[-+]?\d+|\d{1,3}(?:'\d{3})+)(F?)(?![\w.'])", bare):

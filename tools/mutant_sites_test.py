@@ -42,6 +42,9 @@ class Planted(unittest.TestCase):
         self.has("return n + 1;", "off by one", "return n + 2;")
         self.has("return list[0];", "off by one", "return list[1];")
 
+    def test_the_number_of_an_element_is_one_less(self):
+        self.assertEqual(planted("return list[3];"), [("off by one", "return list[2];")])
+
     def test_a_constant_is_two_fifths_larger(self):
         self.has("x = 0.05;", "constant", "x = 0.07;")
         self.has("x = 2.0F;", "constant", "x = 2.8F;")
