@@ -164,6 +164,7 @@ def blamed(messages, faults):
     for number, fault in faults.items():
         places[(fault.file, fault.line)].append(number)
     direct, mentioned = {}, {}
+    errors = "\n".join(re.findall(r"^.* error: .*$", messages, re.M))
     wants = re.compile(r"constant expression|constant-expression|constexpr|is not a constant|case label|bit-field|enumerator")
     for match in PLACE.finditer(messages):
         file = re.sub(r"^(?:\.\./)*", "", match.group(1))
@@ -173,5 +174,5 @@ def blamed(messages, faults):
             if " error:" in says:
                 direct[number] = direct.get(number, False) or bool(wants.search(says))
             else:
-                mentioned[number] = bool(wants.search(messages))
+                mentioned[number] = bool(wants.search(errors))
     return direct or mentioned
