@@ -97,6 +97,8 @@ def run_tests(name, filters, fault, seconds, reached=None):
     """@return the first test that failed, "" where all passed, None where they came to no end."""
     folder = BUILD / ("apps/nazori-cli" if name == "cli" else f"libs/{name}")
     with tempfile.TemporaryDirectory(prefix="mutants") as place:
+        # Tests that give up the rights of root go on in it.
+        os.chmod(place, 0o755)
         environment = dict(os.environ, NAZORI_DATA=str(DATA), QT_QPA_PLATFORM="offscreen", LP_NUM_THREADS="0", TMPDIR=place,
                            NAZORI_TEST_PATIENCE_S="8", NAZORI_FAULT=str(fault))
         if reached:
