@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What tools/mutants plants in small examples, and what it leaves alone. tools/check runs it."""
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
 import pathlib
 import subprocess
 import sys
@@ -10,6 +14,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from mutant_guards import HEADER, blamed, guarded, planted as planted_text  # noqa: E402
 from mutant_sites import faults_of  # noqa: E402
+from mutant_tests import Suite  # noqa: E402
 
 
 def planted(line, before="  first();"):
@@ -204,6 +209,36 @@ class Asleep(unittest.TestCase):
         self.assertEqual(blamed(error.replace("the value is not usable in a constant expression", "no match"), {4: fault}), {4: False})
         self.assertEqual(blamed("libs/b.cpp:7:1: error: no\nlibs/a/src/f.cpp:1:5: note: declared here\n", {4: fault}), {4: False})
         self.assertEqual(blamed("libs/a/src/f.cpp:2:5: error: no\n", {4: fault}), {})
+
+
+class Rounds(unittest.TestCase):
+    def test_a_fault_that_the_module_does_not_notice_is_shown_to_its_users_and_one_that_does_not_compile_is_replaced(self):
+        place = str(pathlib.Path(__file__).resolve().parent / "mutants")
+        loader = importlib.machinery.SourceFileLoader("mutants", place)
+        mutants = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutants", loader))
+        loader.exec_module(mutants)
+        faults = [f for f in faults_of("f.cpp", "\n".join("  list.clear();" for _ in range(40))) if f.kind == "dropped statement"]
+        built = []
+
+        def grow(plot, faults, names):
+            built.append((len(faults), names))
+            return {number: fault for number, fault in faults.items() if fault.line % 7}, {}
+
+        def notices(number, suites):
+            by = suites[0].program
+            return f"{by}: T" if (by == "own" and number % 2) or (by == "far" and number % 4 == 0) else ""
+
+        mutants.Plot.grow = grow
+        mutants.survey = lambda name, pool: [Suite(name, "S.*", False, 1, bytes([1] * 65536))]
+        mutants.notices = notices
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
+            season = mutants.Season(["own"], {"own": ["near", "far"]}, ["near", "far"], {"own": faults}, 20, 2,
+                                    pathlib.Path(folder) / "log.jsonl")
+            self.assertTrue(season.round())
+            self.assertFalse(season.round())
+        by = [result["by"] for result in season.results("own")]
+        self.assertEqual({one: by.count(one) for one in set(by)}, {"own: T": 10, "far: T": 5, "": 5})
+        self.assertEqual(built, [(32, ["own"]), (10, ["near", "far"])])
 
 
 if __name__ == "__main__":
