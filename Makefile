@@ -17,7 +17,7 @@ help:
 	@echo "make check   what CI adds: formatting, static analysis of what changed, sanitizers, fuzzing"
 	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores the first time)"
 	@echo "make bench   build and run the benchmarks of every module"
-	@echo "make mutants [MODULE] [N]   plant N faults in each module, one at a time, and tell which of them no test notices"
+	@echo "make mutants [MODULE]... [N]   plant N faults in each module and tell which of them no test notices"
 	@echo "make fresh   as root: make run and make test on an empty Debian 12, in both orders (an hour or more on two cores)"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
 	@echo "make package install what is missing, and build the Debian packages of the last commit in build/package/"
@@ -55,11 +55,11 @@ check-access: packages-access database
 	@tools/check-access
 
 mutants: packages-check database
-	@tools/mutants $(wordlist 2,3,$(MAKECMDGOALS)) $(if $(SEED),--seed $(SEED))
+	@tools/mutants $(wordlist 2,40,$(MAKECMDGOALS)) $(if $(SEED),--seed $(SEED))
 
 # What follows mutants is no goal.
 ifeq ($(firstword $(MAKECMDGOALS)),mutants)
-$(wordlist 2,3,$(MAKECMDGOALS)):
+$(wordlist 2,40,$(MAKECMDGOALS)):
 	@:
 endif
 

@@ -63,8 +63,7 @@ endfunction()
 # nazori_compile_together(TARGET [ALONE <FILE>...])
 #
 # Compiles the sources of a target in groups: if all of them use the same large templates, that is several times as
-# fast. ALONE: files with names of their own that others have too. tools/mutants changes one file after another and
-# switches it off.
+# fast. ALONE: files with names of their own that others have too.
 option(NAZORI_COMPILE_TOGETHER "Compile the sources of large targets in groups" ON)
 function(nazori_compile_together target)
   cmake_parse_arguments(u "" "" "ALONE" ${ARGN})

@@ -15,7 +15,13 @@ class Fault:
     line: int  # from 1
     kind: str
     before: str
-    after: str
+    begin: int  # the part that changes
+    end: int
+    instead: str
+
+    @property
+    def after(self):
+        return self.before[:self.begin] + self.instead + self.before[self.end:]
 
     def __str__(self):
         return f"{self.file}:{self.line}: {self.kind}: {self.before.strip()} -> {self.after.strip() or '(nothing)'}"
@@ -70,7 +76,7 @@ def faults_of(file, text):
             continue
 
         def plant(kind, begin, end, instead):
-            found.append(Fault(file, number, kind, line, line[:begin] + instead + line[end:]))
+            found.append(Fault(file, number, kind, line, begin, end, instead))
 
         is_template = re.search(r"\b(template|static_cast|const_cast|reinterpret_cast|vector|span|optional|function|Result|array|map|"
                                 r"unique_ptr|shared_ptr|pair|tuple|numeric_limits|include|Point2|make_unique|make_shared|"
@@ -100,6 +106,9 @@ def faults_of(file, text):
             # A physical quantity written without a fraction.
             if value > 2 and re.search(r"\b(double|float)\b", bare[:match.start()]):
                 plant("constant", match.start(), match.end(), f"{value * 1.4:.6g}")
+            elif value > 0 and bare[:match.start()].endswith("[") and bare.startswith("]", match.end()):
+                # The element after the last is none: what a program does with it nobody can say.
+                plant("off by one", match.start(), match.end(), str(value - 1))
             else:
                 plant("off by one", match.start(), match.end(), str(value + 1))
         for match in re.finditer(r"(?<![\w.'])(\d+\.\d*(?:e[-+]?\d+)?|\d+e[-+]?\d+|\d{1,3}(?:'\d{3})+)(F?)(?![\w.'])", bare):

@@ -1,12 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What tools/mutants plants in small examples, and what it leaves alone. tools/check runs it."""
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
 import pathlib
+import subprocess
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from mutant_guards import HEADER, blamed, guarded, planted as planted_text  # noqa: E402
 from mutant_sites import faults_of  # noqa: E402
+from mutant_tests import Suite  # noqa: E402
 
 
 def planted(line, before="  first();"):
@@ -38,6 +46,9 @@ class Planted(unittest.TestCase):
     def test_a_whole_number_is_one_more(self):
         self.has("return n + 1;", "off by one", "return n + 2;")
         self.has("return list[0];", "off by one", "return list[1];")
+
+    def test_the_number_of_an_element_is_one_less(self):
+        self.assertEqual(planted("return list[3];"), [("off by one", "return list[2];")])
 
     def test_a_constant_is_two_fifths_larger(self):
         self.has("x = 0.05;", "constant", "x = 0.07;")
@@ -91,6 +102,143 @@ class Planted(unittest.TestCase):
             self.assertEqual(fault.before, text.split("\n")[fault.line - 1])
             self.assertNotEqual(fault.after, fault.before)
             self.assertNotIn("\n", fault.after)
+
+
+# A program that prints what each of its functions returns. Its faults change the results.
+PROGRAM = """#include <array>
+#include <cstdio>
+#include <vector>
+constexpr double kScale = 0.5;
+constexpr std::array<int, 2> kPair{3, 4};
+int before(int a, int b) {
+  return a < b && b > 1 ? a + b * 2 - 1 : a - b;
+}
+int same(int a, int b) {
+  if (a == b || a > 5) return 1;
+  return before(a, b);
+}
+double scaled(double a) {
+  const double turned = kScale * -a / 2;
+  return turned;
+}
+void grow(std::vector<int>& list) {
+  list.push_back(7);
+  list.push_back(8);
+}
+int main() {
+  std::vector<int> list;
+  grow(list);
+  std::printf("%d %d %d %d %g %zu %d", before(1, 2), before(2, 2), same(2, 2), same(6, 3), scaled(3), list.size(), kPair[0]);
+  return 0;
+}
+"""
+
+
+def results(folder, text, faults):
+    """What the program prints with each fault; None where it does not compile. 0: with none."""
+    (folder / "p.cpp").write_text(text)
+    built = subprocess.run(["c++", "-std=c++20", "-w", "-o", "p", "p.cpp"], cwd=folder, capture_output=True, text=True)
+    if built.returncode != 0:
+        return built.stderr
+    return {number: subprocess.run([folder / "p"], env={"NAZORI_FAULT": str(number)}, capture_output=True).stdout for number in faults}
+
+
+class Asleep(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = pathlib.Path(place.name)
+        (self.folder / "planted.h").write_text(HEADER)
+
+    def test_a_fault_that_is_awake_does_what_it_does_when_it_is_planted_alone(self):
+        faults = dict(enumerate((f for f in faults_of("p.cpp", PROGRAM) if f.line < 21), 1))
+        kinds = {fault.kind for fault in faults.values()}
+        self.assertEqual(kinds, {"comparison", "sign", "off by one", "constant", "dropped check", "dropped statement", "early return",
+                                 "swapped arguments"})
+        right = results(self.folder, PROGRAM, [0])[0]
+        compared = 0
+        # One fault a line: as many builds as the line with the most faults has.
+        for turn in range(max(sum(f.line == g.line for f in faults.values()) for g in faults.values())):
+            some = {}
+            for line in {fault.line for fault in faults.values()}:
+                here = [number for number, fault in faults.items() if fault.line == line]
+                if turn < len(here) and guarded(faults[here[turn]], here[turn]):
+                    some[here[turn]] = faults[here[turn]]
+            found = ""
+            while isinstance(found, str):
+                for number in blamed(found, some):
+                    del some[number]
+                found = results(self.folder, planted_text(PROGRAM, some, self.folder / "planted.h"), [0, *some])
+            self.assertEqual(found.pop(0), right)
+            for number, printed in found.items():
+                lines = PROGRAM.split("\n")
+                lines[faults[number].line - 1] = faults[number].after
+                self.assertEqual({0: printed}, results(self.folder, "\n".join(lines), [0]), str(faults[number]))
+                compared += 1
+        self.assertGreater(compared, 25)
+
+    def guarded(self, line, kind, instead=None):
+        faults = [fault for fault in faults_of("f.cpp", f"void f() {{\n  first();\n  {line}\n}}\n")
+                  if fault.line == 3 and fault.kind == kind and instead in (None, fault.instead)]
+        return guarded(faults[0], 7).strip()
+
+    def test_each_kind_is_written_so(self):
+        is7 = "nazori_planted::is(7)"
+        self.assertEqual(self.guarded("list.clear();", "dropped statement"), f"if (!{is7}) list.clear();")
+        self.assertEqual(self.guarded("list.clear();", "early return"), f"if ({is7}) return; list.clear();")
+        self.assertEqual(self.guarded("if (a) g();", "dropped check"), f"if (!{is7} && (a)) g();")
+        self.assertEqual(self.guarded("return a && b;", "dropped check"), f"return a && ({is7} || (b));")
+        self.assertEqual(self.guarded("return a || b;", "dropped check"), f"return a || (!{is7} && (b));")
+        self.assertEqual(self.guarded("g(a, b);", "swapped arguments"), f"g(({is7} ? b : a), ({is7} ? a : b));")
+        self.assertEqual(self.guarded("x = -a.b(c) * d;", "sign"), f"x = ({is7} ? (a.b(c)) : -(a.b(c))) * d;")
+        self.assertEqual(self.guarded("x = 0.5F;", "constant"), f"x = ({is7} ? 0.7F : 0.5F);")
+
+    def test_a_constant_is_none_for_the_compiler(self):
+        def first(file, line):
+            return guarded(faults_of(file, line)[0], 7).split("(nazori")[0]
+        self.assertEqual(first("f.cpp", "constexpr double kA = 0.5;"), "const double kA = ")
+        self.assertEqual(first("f.h", "inline constexpr double kA = 0.5;"), "inline const double kA = ")
+        self.assertEqual(first("f.h", "  static constexpr double kA = 0.5;"), "  static inline const double kA = ")
+        self.assertEqual(first("f.cpp", "  constexpr double kA = 0.5;"), "  static const double kA = ")
+        self.assertEqual(first("f.h", "constexpr double half(double a) { return a * 0.5; }"), "inline double half(double a) { return a * ")
+
+    def test_the_compiler_blames_a_fault_by_its_line(self):
+        fault = faults_of("libs/a/src/f.cpp", "int n = 3;")[0]
+        error = "../../libs/a/src/f.cpp:1:9: error: the value is not usable in a constant expression\n"
+        self.assertEqual(blamed(error, {4: fault}), {4: True})
+        self.assertEqual(blamed(error.replace("the value is not usable in a constant expression", "no match"), {4: fault}), {4: False})
+        self.assertEqual(blamed("libs/b.cpp:7:1: error: no\nlibs/a/src/f.cpp:1:5: note: declared here\n", {4: fault}), {4: False})
+        self.assertEqual(blamed("libs/a/src/f.cpp:2:5: error: no\n", {4: fault}), {})
+
+
+class Rounds(unittest.TestCase):
+    def test_a_fault_that_the_module_does_not_notice_is_shown_to_its_users_and_one_that_does_not_compile_is_replaced(self):
+        place = str(pathlib.Path(__file__).resolve().parent / "mutants")
+        loader = importlib.machinery.SourceFileLoader("mutants", place)
+        mutants = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutants", loader))
+        loader.exec_module(mutants)
+        faults = [f for f in faults_of("f.cpp", "\n".join("  list.clear();" for _ in range(40))) if f.kind == "dropped statement"]
+        built = []
+
+        def grow(plot, faults, names):
+            built.append((len(faults), names))
+            return {number: fault for number, fault in faults.items() if fault.line % 7}, {}
+
+        def notices(number, suites):
+            by = suites[0].program
+            return f"{by}: T" if (by == "own" and number % 2) or (by == "far" and number % 4 == 0) else ""
+
+        mutants.Plot.grow = grow
+        mutants.survey = lambda name, pool: [Suite(name, "S.*", False, 1, bytes([1] * 65536))]
+        mutants.notices = notices
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
+            season = mutants.Season(["own"], {"own": ["near", "far"]}, ["near", "far"], {"own": faults}, 20, 2,
+                                    pathlib.Path(folder) / "log.jsonl")
+            self.assertTrue(season.round())
+            self.assertFalse(season.round())
+        by = [result["by"] for result in season.results("own")]
+        self.assertEqual({one: by.count(one) for one in set(by)}, {"own: T": 10, "far: T": 5, "": 5})
+        self.assertEqual(built, [(32, ["own"]), (10, ["near", "far"])])
 
 
 if __name__ == "__main__":

@@ -70,6 +70,10 @@ TEST(VoiceMixer, ConvertsTheRateSoThatTheSoundLastsAsLongAndSoundsTheSame) {
   EXPECT_EQ(at_rate(tone, 11'025).size(), 11'025U);
   EXPECT_EQ(at_rate(tone, 22'050), tone.samples);
   EXPECT_TRUE(at_rate({}, 44'100).empty());
+  for (const int none : {0, -1}) {
+    EXPECT_TRUE(at_rate({none, {0.5F, 0.5F}}, 44'100).empty()) << none;
+    EXPECT_TRUE(at_rate({22'050, {0.5F, 0.5F}}, none).empty()) << none;
+  }
 }
 
 TEST(VoiceMixer, NeverAllocatesOnTheAudioThread) {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numeric>
+#include <string>
 
 namespace nazori::devices {
 namespace {
@@ -89,7 +91,11 @@ TEST(RealTimeReadiness, SaysForEachLimitWhatToChange) {
   EXPECT_NE(poor.advice[0].find("rtprio"), std::string::npos);
   EXPECT_NE(poor.advice[1].find("8192 KiB"), std::string::npos);
   EXPECT_NE(poor.advice[2].find("linux-image-rt"), std::string::npos);
-  EXPECT_FALSE(real_time_readiness().kernel.empty());
+  // The kernel tells the same two lines in its file system.
+  std::string release, version;
+  std::getline(std::ifstream("/proc/sys/kernel/osrelease"), release);
+  std::getline(std::ifstream("/proc/sys/kernel/version"), version);
+  EXPECT_EQ(real_time_readiness().kernel, release + " " + version);
 }
 
 TEST(RealTimeReadiness, AsksForNothingThatRootOrACapabilityGives) {

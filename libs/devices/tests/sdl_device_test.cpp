@@ -162,7 +162,9 @@ TEST_F(GameControllers, TheForceIsAPartOfTheFullOneAndNeverMore) {
   ASSERT_TRUE(device.device->start(push));
   EXPECT_TRUE(comes_true([&] { return std::abs(stick->push_right() - 0.2) < 1e-3; }));
   EXPECT_NEAR(stick->push_up(), -0.4, 1e-3);
+  EXPECT_EQ(device.device->status().state, DeviceState::running);
   device.device->stop();
+  EXPECT_EQ(device.device->status().state, DeviceState::stopped);
   EXPECT_FALSE(stick->anything_runs());
   EXPECT_TRUE(stick->effects.empty());
   test::Push strong({300, 0, 0});

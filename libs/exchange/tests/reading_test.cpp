@@ -125,6 +125,20 @@ TEST(ReadPracticeEvents, EveryAnnouncementOfASessionAndAFailureComeBack) {
   EXPECT_EQ(to_json(*event), failure);
 }
 
+TEST(ReadPracticeEvents, NumbersAreUpToAMillion) {
+  const auto with_numbers = [](const char* stroke, const char* extra) {
+    const std::string document =
+        std::string(R"({"event":"feedback","stage":"guided","what":"mistake","tone":"wrong","stroke":)") +
+        stroke + R"(,"extra":)" + extra + "}";
+    return where_wrong(read_practice_event, document.c_str());
+  };
+  EXPECT_EQ(with_numbers("1000000", "1000000"), "read");
+  EXPECT_EQ(with_numbers("1", "-1000000"), "read");
+  EXPECT_EQ(with_numbers("1000001", "1"), "line 1, stroke");
+  EXPECT_EQ(with_numbers("1", "1000001"), "line 1, what");
+  EXPECT_EQ(with_numbers("1", "-1000001"), "line 1, what");
+}
+
 TEST(ReadPracticeEvents, WhatIsNoneSaysWhere) {
   const auto wrong = [](const char* document) { return where_wrong(read_practice_event, document); };
   EXPECT_EQ(wrong("[]"), "line 1");

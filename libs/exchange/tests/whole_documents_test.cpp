@@ -362,7 +362,9 @@ TEST(WholeDocument, OfAPlotHasForEachPointWhatItsKindHas) {
   jump.jump->x_after = 3;
   jump.jump->y_after = std::nan("");
   jump.jump->y_at = 5;
-  Value points = plot_document("y = x; y = 2", {crossing, zero, asymptote, jump})["points"];
+  functions::PointOfInterest loop = zero;
+  loop.kind = functions::PointKind::self_crossing;
+  Value points = plot_document("y = x; y = 2", {crossing, zero, asymptote, jump, loop})["points"];
   for (Value& point : points) {
     EXPECT_FALSE(point["words"].get<std::string>().empty());
     point.erase("words");
@@ -378,6 +380,8 @@ TEST(WholeDocument, OfAPlotHasForEachPointWhatItsKindHas) {
   EXPECT_EQ(to_line(points[3]),
             R"({"kind":"zero","statement":2,"x":0.25,"y":null,"x_name":null,"y_name":null,)"
             R"("before":[1.0,2.0],"after":[3.0,null],"y_at":5.0})");
+  EXPECT_EQ(to_line(points[4]),
+            R"({"kind":"self_crossing","statement":2,"x":0.25,"y":null,"x_name":null,"y_name":null})");
 }
 
 }  // namespace

@@ -168,7 +168,6 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
   proxy_ = walk.place.point();
   normal_ = walk.place.normal();
   touching_ = true;
-  known_ = true;
 }
 
 }  // namespace nazori::haptics

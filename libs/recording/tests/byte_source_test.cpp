@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstring>
 #include <string>
 #include <system_error>
 
@@ -118,7 +119,10 @@ TEST(ByteSourceDeathTest, FilesAreReadAndWrittenWhereTheProgramHasNoStandardInpu
       good = good && RecordingOutput::reopen(folder / "a.nzr").has_value();
       good = good && RecordingOutput::is_complete(folder / "a.nzr");
       good = good && open_source(folder / "a.nzr").has_value();
-      const SessionId id{7, 7, 7};
+      // An id that no other test process has.
+      SessionId id{7, 7, 7};
+      const pid_t process = ::getpid();
+      std::memcpy(id.data() + 4, &process, sizeof process);
       if (const auto ring = SharedRing::create(id); !ring) good = false;
       const auto left = SharedRing::adopt(id);
       good = good && left;

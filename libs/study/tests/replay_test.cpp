@@ -139,6 +139,17 @@ TEST(ReplayComparison, TellsTheDifferenceOfEachNumber) {
   }
 }
 
+TEST(ReplayComparison, AChanceBeforeTheFirstAnswerIsADifferenceWhateverItIs) {
+  for (const double chance : {0.0, 1.0}) {
+    auto json = nlohmann::ordered_json::parse(with_numbers("", ""));
+    json["cases"][0]["steps"][0]["retrievability_before"] = chance;
+    const std::string text = json.dump();
+    const auto found = compare_with_own_numbers(text, *replay_histories(text));
+    ASSERT_TRUE(found) << base::to_line(found.error());
+    EXPECT_EQ(found->first, "case 1, step 1") << chance;
+  }
+}
+
 TEST(ReplayComparison, IsToTheEighthDecimal) {
   const auto own = *replay_histories(with_numbers("", ""));
   const double stability = own.cases[0].steps[1].after.stability;

@@ -129,6 +129,11 @@ TEST(Settings, HaveTheirRangesInTheTextAndInTheProgram) {
       text[member] = value;
       const auto read = parse_settings(text.dump());
       EXPECT_EQ(read.has_value(), fits) << member << " " << value;
+      // The text is refused where it is read, with its line; what no member alone breaks is refused
+      // afterwards.
+      if (!read && value != lowest - 1) {
+        EXPECT_EQ(read.error().where, std::string("line 1, ") + member) << value;
+      }
       if (fits && read) {
         Settings expected;
         expected.lesson.show_after_misses = 20;

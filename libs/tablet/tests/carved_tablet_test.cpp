@@ -186,6 +186,7 @@ TEST(CarvedTablet, OfAHeightMapThePathsLieAsDeepAsTheReliefUnderThem) {
   const auto tablet = CarvedTablet::from_height_map(*map, {line({{10.9, 50}, {98.1, 50}})}, shape);
   ASSERT_TRUE(tablet) << base::to_line(tablet.error());
   EXPECT_EQ((*tablet)->height_map(), *map);
+  EXPECT_EQ((*tablet)->lines(), std::vector<TabletLine>{line({{10.9, 50}, {98.1, 50}})});
   const auto& points = (*tablet)->paths()[0].points;
   for (const auto& p : points) EXPECT_NEAR(p.z, -(p.x / 0.2 + 0.5) * 0.008, 0.05 * kMm);
   EXPECT_NEAR(points.front().x, -80 * kMm, 1e-12);

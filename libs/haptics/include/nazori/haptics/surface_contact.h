@@ -56,7 +56,7 @@ class SurfaceContact {
   Vec3 normal_{0, 0, 1};
   TabletSurface surface_;       // that place_ was read from
   TabletSurface::Place place_;  // of the proxy, while touching
-  bool known_ = false;          // proxy_ is the previous position of the device
+  bool known_ = false;          // while it does not touch: proxy_ is its previous position
   bool touching_ = false;
   bool sliding_ = false;
 };
