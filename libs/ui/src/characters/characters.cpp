@@ -97,6 +97,8 @@ Characters::Characters(WindowParts& parts)
   connect_session();
   connect_study_actions();
   connect_standing();
+  // Another page with the tablet may be shown before this one was entered.
+  hide_session();
 }
 
 void Characters::make_stage_views() {
@@ -193,6 +195,10 @@ void Characters::leave() {
   key_writing_->end();
   practice_.leave();
   parts().tablet().set_cross(view::WritingCross::none);
+  hide_session();
+}
+
+void Characters::hide_session() {
   for (auto* one : std::initializer_list<QWidget*>{session_bar_, question_view_, session_answers_})
     one->hide();
 }
@@ -203,6 +209,7 @@ void Characters::show_stage() {
   current().action->setChecked(true);
   for (auto* action : current().view->own_actions()) action->setEnabled(true);
   emit tools_changed();
+  show_session();
   parts().save_later();
 }
 
