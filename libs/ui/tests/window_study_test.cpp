@@ -204,7 +204,7 @@ TEST_F(Study, TheEndTellsWhatWasDoneAndWhatComes) {
   EXPECT_FALSE(session().is_running());
   EXPECT_TRUE(find("home_page")->isVisible());
   EXPECT_EQ(text("home_ink_title"), QStringLiteral("Today, in your hand"));
-  EXPECT_EQ(text("home_written"), QStringLiteral("2 written, 2 right"));
+  EXPECT_EQ(text("home_written"), QStringLiteral("2 written, 2 right · less than a minute"));
   EXPECT_EQ(find<InkRow>("ink_row")->inks().size(), 1U) << "one of each character";
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("Done for today")))
       << text("home_advice").toStdString();
@@ -236,7 +236,7 @@ TEST_F(Study, WhatWasHardTodayIsPractisedByOneKey) {
   write_from_memory(false);
   go_on();
   session().end();
-  EXPECT_EQ(text("home_written"), QStringLiteral("1 written, 0 right"));
+  EXPECT_EQ(text("home_written"), QStringLiteral("1 written, 0 right · less than a minute"));
   EXPECT_EQ(find<QPushButton>("home_practise")->text(), QStringLiteral("Practise these, 1 min"));
   press(Qt::Key_P);
   ASSERT_TRUE(session().is_running());
