@@ -1030,8 +1030,8 @@
         <translation>文字の情報を表示／非表示にします</translation>
     </message>
     <message>
-        <source>The character as grooves to trace. The left button presses the stylus down; the right button turns the tablet</source>
-        <translation>溝になった文字をなぞります。左ボタンでペン先を下ろし、右ボタンで文字板を回します</translation>
+        <source>The character as grooves to trace. The left button presses the stylus down; the right button turns the tablet. M: move the pen by keys</source>
+        <translation>溝になった文字をなぞります。左ボタンでペン先を下ろし、右ボタンで文字板を回します。M：キーでペンを動かします</translation>
     </message>
     <message>
         <source>There are no strokes for %1 in the database. The tablet was not changed.</source>

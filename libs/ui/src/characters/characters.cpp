@@ -57,8 +57,7 @@ Characters::Characters(WindowParts& parts)
     : Page(parts, {QStringLiteral("characters"), tr("&Characters"),
                    tr("Carved characters to see, feel and write"), Icon::strokes,
                    tr("The character as grooves to trace. The left button presses the stylus down; the right "
-                      "button turns "
-                      "the tablet")}),
+                      "button turns the tablet. M: move the pen by keys")}),
       practice_(parts.practice()),
       actions_(new CharacterActions(&parts.window())),
       session_actions_(new SessionActions(&parts.window())),
