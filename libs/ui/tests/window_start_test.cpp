@@ -371,7 +371,10 @@ TEST_F(WindowStart, TheButtonIsInSightHoweverLittleRoomThereIs) {
     EXPECT_TRUE(window_->rect().contains(
         QRect(find("start_write")->mapTo(window_.get(), QPoint()), find("start_write")->size())));
   }
-  set_text_size(12);
+  choose("start_hiragana");
+  set_text_size(12, 1600, 1400);
+  const auto y_of = [this](const char* name) { return find(name)->mapTo(window_.get(), QPoint()).y(); };
+  EXPECT_LT(y_of("start_write") - y_of("start_input"), 100) << "near the questions where they all fit";
 }
 
 TEST_F(WindowStart, ANewLearnerIsAskedToo) {

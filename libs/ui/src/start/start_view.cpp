@@ -78,6 +78,7 @@ StartView::StartView(QWidget* parent)
   both->setSpacing(0);
   both->addWidget(area_, 1);
   both->addWidget(end_);
+  both->addStretch(0);
   setFocusProxy(write_);
   order_tabs();
   show_parts();
@@ -384,6 +385,8 @@ void StartView::fit() {
   const int beside = std::max(kMargin, (width - std::min(width - 2 * kMargin, em * kWidest_em)) / 2);
   content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
   end_->layout()->setContentsMargins(beside, kGap, beside, kGap);
+  // The button follows the questions; where they do not fit, they scroll above it.
+  area_->setMaximumHeight(content_->layout()->heightForWidth(width));
 }
 
 void StartView::keyPressEvent(QKeyEvent* event) {
