@@ -194,10 +194,10 @@ TEST_F(Study, GoingElsewhereKeepsTheSessionAndEnterComesBack) {
 TEST_F(Study, TheEndTellsWhatWasDoneAndWhatComes) {
   start();
   learn();
+  shown_character_ = 0;
   press(Qt::Key_3);
   // The review in ten minutes is asked now, because nothing else is due.
   ASSERT_TRUE(session().is_running());
-  shown_character_ = 0;
   ASSERT_TRUE(is_shown());
   write_from_memory(true);
   press(Qt::Key_3);
@@ -258,9 +258,9 @@ TEST_F(Study, WhatWasKeptLastStandsAboveTheButtonThatTakesItBack) {
   start();
   EXPECT_FALSE(find("session_note")->isVisible());
   learn();
+  shown_character_ = 0;
   press(Qt::Key_3);
   ASSERT_TRUE(session().is_running());
-  shown_character_ = 0;
   ASSERT_TRUE(is_shown());
   EXPECT_FALSE(feedback().contains(QStringLiteral("Kept"))) << "the next task has words of its own";
   EXPECT_TRUE(text("session_note").contains(QStringLiteral("Good. Next review in 10 minutes")))

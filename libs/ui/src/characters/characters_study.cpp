@@ -122,7 +122,7 @@ void Characters::show_session() {
   question_view_->show_state(practice_.sheet(), verdict);
   // In a dictation the session's question would stand above the tablet with the answer.
   const auto* kind = practice::stage_kind(practice_.current_stage().id());
-  if (kind != nullptr && !kind->lesson && practice_.current_stage().hides_character()) question_view_->hide();
+  if (kind != nullptr && !kind->lesson) question_view_->hide();
   session_answers_->show_state();
   session_panel_->show_state(practice_.sheet());
   emit room_changed();
