@@ -159,9 +159,10 @@ base::Result<std::vector<char32_t>> LearnerStore::reviewed_on(Day day) const {
 
 base::Result<std::map<char32_t, int>> LearnerStore::failed_days(Day first) const {
   return inside_->guarded([&]() -> base::Result<std::map<char32_t, int>> {
+    // The plus keeps SQLite from reading all days in the order of the characters.
     SQLite::Statement rows(inside_->db,
                            "SELECT character, count(DISTINCT day) FROM character_day WHERE day >= ? AND "
-                           "outcome = ? GROUP BY character");
+                           "outcome = ? GROUP BY +character");
     rows.bind(1, number_of(first));
     rows.bind(2, static_cast<int>(DayOutcome::failed));
     std::map<char32_t, int> days;
