@@ -9,21 +9,9 @@
 #include <unistd.h>
 
 #include <array>
-#include <mutex>
 
 namespace nazori::devices {
 namespace {
-
-/// The locks of the program: mlockall and munlockall do not count.
-struct Locks {
-  std::mutex mutex;
-  int count = 0;
-};
-
-Locks& locks() {
-  static Locks all;
-  return all;
-}
 
 bool may_lock_everything() noexcept {
   rlimit limit{};
@@ -70,17 +58,10 @@ ReadyStack::~ReadyStack() {
   if (begin_ != nullptr) munlock(begin_, size_);
 }
 
-MemoryLock::MemoryLock() noexcept {
-  Locks& all = locks();
-  const std::lock_guard one(all.mutex);
+void keep_memory() noexcept {
   // On fault: pages that the program never uses are not loaded.
-  if (all.count++ == 0 && may_lock_everything()) (void)mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT);
-}
-
-MemoryLock::~MemoryLock() {
-  Locks& all = locks();
-  const std::lock_guard one(all.mutex);
-  if (--all.count == 0) (void)munlockall();
+  static const bool once = may_lock_everything() && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
+  (void)once;
 }
 
 }  // namespace nazori::devices

@@ -33,14 +33,10 @@ class ReadyStack {
   std::size_t size_ = 0;
 };
 
-/// While one of these lives, the program's memory is not paged out, if the system lets the program lock any
-/// amount. A smaller limit would make it run out of memory later, so it is left alone then. Any thread.
-class MemoryLock {
- public:
-  MemoryLock() noexcept;
-  ~MemoryLock();
-  MemoryLock(const MemoryLock&) = delete;
-  MemoryLock& operator=(const MemoryLock&) = delete;
-};
+/// Keeps the program's memory from being paged out from now on, if the system lets the program lock any
+/// amount. A smaller limit would make it run out of memory later, so nothing is locked then. It stays locked:
+/// locking and unlocking walk through all pages, and a pointer's servo starts and rests with each character.
+/// Any thread.
+void keep_memory() noexcept;
 
 }  // namespace nazori::devices

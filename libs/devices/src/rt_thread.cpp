@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cmath>
 #include <ctime>
-#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -39,7 +38,6 @@ struct RtThread::Inside {
   Tick tick;
   std::int64_t period_ns = 0;
   bool real_time = false;
-  std::optional<MemoryLock> memory;  // while it runs
   std::atomic<bool> stopping{false}, stack_locked{false};
   std::atomic<std::uint64_t> ticks{0}, missed{0};
   std::atomic<std::int64_t> max_lateness_ns{0};
@@ -82,12 +80,11 @@ base::Result<void> RtThread::start(double period_s, Tick tick) {
   in.ticks = in.missed = 0;
   in.max_lateness_ns = 0;
   in.stack_locked = false;
-  in.memory.emplace();
+  keep_memory();
   try {
     const SignalsBlocked inherited;
     in.thread = std::thread([&in] { in.run(); });
   } catch (const std::system_error& e) {
-    in.memory.reset();
     return base::fail(base::Errc::device, std::string("the servo thread cannot be started: ") + e.what());
   }
   in.real_time = make_real_time(in.thread.native_handle(), kServoPriority);
@@ -98,7 +95,6 @@ void RtThread::stop() noexcept {
   if (!inside_->thread.joinable()) return;
   inside_->stopping.store(true, std::memory_order_release);
   inside_->thread.join();
-  inside_->memory.reset();
 }
 
 ClockStatus RtThread::status() const {

@@ -118,7 +118,7 @@ TEST(RtThread, ItsStackIsThereBeforeTheFirstTickAndStaysInMemory) {
   EXPECT_NE(flags.find(" lo"), std::string::npos) << flags;
 }
 
-TEST(RtThread, WhereEverythingMayBeLockedTheProgramIsWhileAServoRunsAndNotAfterwards) {
+TEST(RtThread, WhereEverythingMayBeLockedTheProgramIsFromTheFirstServoOn) {
   if (nazori::test::kSanitized) GTEST_SKIP() << "a sanitizer locks nothing";
   rlimit limit{};
   ASSERT_EQ(getrlimit(RLIMIT_MEMLOCK, &limit), 0);
@@ -128,15 +128,11 @@ TEST(RtThread, WhereEverythingMayBeLockedTheProgramIsWhileAServoRunsAndNotAfterw
     return flags_of_memory_at(reinterpret_cast<std::uintptr_t>(heap->data() + 4096)).find(" lo") !=
            std::string::npos;
   };
-  ASSERT_FALSE(locked());
-  RtThread one, other;
+  RtThread one;
   ASSERT_TRUE(one.start(0.001, [](double) {}));
   if (!locked()) GTEST_SKIP() << "the system does not let this user lock everything";
-  ASSERT_TRUE(other.start(0.001, [](double) {}));
   one.stop();
-  EXPECT_TRUE(locked()) << "the other runs";
-  other.stop();
-  EXPECT_FALSE(locked());
+  EXPECT_TRUE(locked()) << "a pointer's servo rests often, and locking takes long";
 }
 
 TEST(RtThread, RefusesAbsurdPeriodsAndASecondStart) {

@@ -49,6 +49,15 @@ void CharacterPractice::connect_stages() {
 
 void CharacterPractice::connect_session() {
   connections_.emplace_back(session_.character_wanted.connect([this](char32_t character) {
+    // What is on the tablet already is studied at once.
+    if (sheet_ && tablet_ && sheet_->character.code_point == character) {
+      awaited_ = character;
+      coming_ = sheet_;
+      looks_up_ = false;
+      wanted();
+      present();
+      return;
+    }
     show(character, false);
     wanted();
   }));
@@ -180,9 +189,12 @@ void CharacterPractice::use_tablet(char32_t character, const Tablet& tablet) {
   tablet_ = tablet;
   sheet_ = coming_;
   character_arrived(character);
+  present();
+}
+
+void CharacterPractice::present() {
   session_.set_sheet(sheet_);
   if (is_entered_) {
-    // In a session at the stage that is due, else at the present one.
     auto& due = stage_for(session_.stage());
     if (session_.is_running() && !session_.is_away() && &due != stage_) enter_stage(due);
     // Only now: before, the stage would count for the session's character.
@@ -193,7 +205,7 @@ void CharacterPractice::use_tablet(char32_t character, const Tablet& tablet) {
   }
   looks_up_ = false;
   hiding_changed();
-  if (is_entered_) character_shown(character);
+  if (is_entered_) character_shown(sheet_->character.code_point);
 }
 
 void CharacterPractice::use_own(const OwnTablet& loaded) {

@@ -41,6 +41,9 @@ base::Result<WritingRecord> writing_record(const study::LearnerStore& store, stu
   if (!studied) return tl::unexpected(studied.error());
   for (const study::StudyDay& day : *studied) {
     if (day.day < first || day.day > last) continue;
+    const auto time = store.time_on(day.day);
+    if (!time) return tl::unexpected(time.error());
+    record.time += *time;
     const auto introduced = store.introduced_on(day.day);
     if (!introduced) return tl::unexpected(introduced.error());
     fresh.insert(introduced->begin(), introduced->end());

@@ -14,6 +14,8 @@ constexpr double kScale = 16;
 /// scale.
 constexpr double kNarrow = 0.15;
 constexpr double kDoubt = 0.05;
+/// Kanji of many strokes take long to write; fewer answers than these place nobody well.
+constexpr int kFewestInTime = 8;
 constexpr int kInTens = 100;
 constexpr int kInFives = 20;
 
@@ -62,7 +64,7 @@ void PlacementCheck::answer(PlacementAnswer answer, std::chrono::milliseconds el
   asked_[static_cast<std::size_t>(*next_)] = true;
   ++answered_;
   next_.reset();
-  if (answered_ >= kMost || elapsed >= kLongest) return;
+  if (answered_ >= kMost || (elapsed >= kLongest && answered_ >= kFewestInTime)) return;
   const bool narrow = scale(quantile(0.75)) - scale(quantile(0.25)) < kNarrow;
   if (answered_ >= kFewest && narrow) return;
   choose_next();

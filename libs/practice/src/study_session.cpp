@@ -75,7 +75,6 @@ bool StudySession::start_with(std::vector<char32_t> characters) {
 void StudySession::begin() {
   done_ = 0;
   last_event_.reset();
-  summary_ = {};
   state_ = State::doing;
   next_task();
 }
@@ -255,7 +254,6 @@ void StudySession::go_on() {
       if (is_over()) {
         if (leech_lesson_) {
           if (!learner_.report(store().leech_met(std::span(&task_.character, 1)))) return;
-          summary_.lessons.push_back(task_.character);
         }
         finish_task();
         return;

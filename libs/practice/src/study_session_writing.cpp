@@ -70,22 +70,11 @@ bool StudySession::save(Stage stage, study::Rating rating, study::Rating propose
   writing.rating = rating;
   writing.proposed = proposed;
   writing.result = result;
-  const bool first = !store().card(task_.character).introduced.has_value();
   const int strokes = std::max<int>(1, sheet_ ? static_cast<int>(sheet_->character.strokes.size()) : 1);
   const auto kept = store().add_writing(task_.character, strokes, writing, ink);
   if (!kept) {
     (void)learner_.report(kept);
     return false;
-  }
-  summary_.time += result.duration;
-  if (first) summary_.met.push_back(task_.character);
-  if (stage == Stage::memory) {
-    ++summary_.reviews;
-    ++summary_.ratings[static_cast<std::size_t>(rating) - 1];
-    std::erase(summary_.again, task_.character);
-    if (rating == study::Rating::again) summary_.again.push_back(task_.character);
-  } else {
-    ++summary_.practices;
   }
   return learner_.report(kept);
 }

@@ -225,8 +225,7 @@ TEST_F(CharacterPracticeTest, ASessionGoesThroughTheStagesOfANewCharacterAndOnTo
   inbox_.run_until([&] { return shown_.size() == 2; });
   EXPECT_EQ(shown_.back(), U'二');
   study_character();
-  EXPECT_EQ(session_.summary().reviews, 2);
-  EXPECT_EQ(session_.summary().met, (std::vector<char32_t>{U'一', U'二'}));
+  EXPECT_EQ(*learner_->store().reviewed_on(learner_->store().today()), (std::vector<char32_t>{U'一', U'二'}));
   EXPECT_TRUE(learner_->store().card(U'一').introduced);
 }
 
@@ -239,6 +238,7 @@ TEST_F(CharacterPracticeTest, AStageThatIsNoPartOfTheLessonLeavesTheSessionWhere
   ASSERT_TRUE(session_.start());
   inbox_.run_until([&] { return !shown_.empty(); });
   auto& dictation = practice_.get<DictationStage>();
+  const auto before = learner_->store().last_entry();
   practice_.enter_stage(dictation);
   inbox_.run_until([&] { return !dictation.is_busy(); });
   EXPECT_TRUE(dictation.is_entered());
@@ -251,7 +251,7 @@ TEST_F(CharacterPracticeTest, AStageThatIsNoPartOfTheLessonLeavesTheSessionWhere
   EXPECT_EQ(dictation.state(), DictationStage::State::judged);
   EXPECT_EQ(session_.state(), StudySession::State::doing) << "what was written is not saved in the session";
   EXPECT_EQ(session_.stage(), Stage::watch);
-  EXPECT_EQ(session_.summary().practices, 0);
+  EXPECT_EQ(learner_->store().last_entry(), before);
   practice_.enter_stage(practice_.watch());
   while (session_.state() == StudySession::State::doing) practice_.watch().step(+1);
   EXPECT_EQ(session_.stage(), Stage::trace);

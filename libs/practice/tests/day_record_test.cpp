@@ -56,6 +56,7 @@ TEST_F(DayRecord, HoldsWhatWasWrittenFromMemoryInItsOrder) {
   write(U'人', false, false);
   const auto record = today();
   EXPECT_EQ(record.study_days, 1);
+  EXPECT_EQ(record.time, std::chrono::seconds(6 * 8)) << "watching and tracing take time, too";
   ASSERT_EQ(record.writings.size(), 4U) << "watching and tracing are no writing from memory";
   EXPECT_EQ(record.right(), 2);
   EXPECT_THAT(record.fresh, ElementsAre(U'木', U'休', U'人'));
@@ -96,7 +97,7 @@ TEST_F(DayRecord, UndoTakesAWritingOutOfTheDay) {
 
 TEST_F(DayRecord, WhatWasMarkedAsKnownWasNotWritten) {
   ASSERT_TRUE(mark_known(*learner_, U'木'));
-  EXPECT_EQ(today(), (WritingRecord{store().today(), store().today(), 0, {}, {}, {}}));
+  EXPECT_EQ(today(), (WritingRecord{store().today(), store().today(), {}, 0, {}, {}, {}}));
   EXPECT_EQ(streak_now(store()).days, 0);
   EXPECT_THAT(*store().study_days(), IsEmpty());
   write(U'木');

@@ -72,16 +72,19 @@ TEST(PlacementCheck, EndsAfterTwelveToFourteenQuestionsAndAsksNoneTwice) {
   }
 }
 
-TEST(PlacementCheck, AsksNothingMoreAfterTwoMinutes) {
+TEST(PlacementCheck, AfterTwoMinutesTheEighthQuestionIsTheLast) {
   PlacementCheck check(list_of(500));
   check.answer(PlacementAnswer::written, seconds(60));
   check.answer(PlacementAnswer::unknown, seconds(119));
   ASSERT_FALSE(check.is_over());
-  check.answer(PlacementAnswer::written, seconds(120));
+  for (int i = 3; i <= 8; ++i) {
+    ASSERT_FALSE(check.is_over()) << "fewer than eight answers place nobody well";
+    check.answer(PlacementAnswer::written, seconds(120 + i));
+  }
   EXPECT_TRUE(check.is_over());
-  EXPECT_EQ(check.answered(), 3);
-  check.answer(PlacementAnswer::written, seconds(121));
-  EXPECT_EQ(check.answered(), 3) << "what comes later does not count";
+  EXPECT_EQ(check.answered(), 8);
+  check.answer(PlacementAnswer::written, seconds(140));
+  EXPECT_EQ(check.answered(), 8) << "what comes later does not count";
 }
 
 TEST(PlacementCheck, OfAShortListAsksForEachCharacterOnce) {

@@ -19,11 +19,12 @@ TEST_F(Session, AStageCountsWholeUpToTenMinutesAndNoLonger) {
   ASSERT_TRUE(session_->start());
   clock_.advance(minutes(10) - milliseconds(1));
   session_->finish_stage(Stage::watch, {});
-  EXPECT_EQ(session_->summary().time, minutes(10) - milliseconds(1));
+  const auto& store = learner_->store();
+  EXPECT_EQ(*store.time_on(store.today()), minutes(10) - milliseconds(1));
   session_->go_on();
   clock_.advance(minutes(10) + milliseconds(1));
   session_->finish_stage(Stage::trace, {});
-  EXPECT_EQ(session_->summary().time, minutes(20) - milliseconds(1));
+  EXPECT_EQ(*store.time_on(store.today()), minutes(20) - milliseconds(1));
 }
 
 TEST_F(Session, WritingFromMemoryEndsWithItsLastStrokeWhateverIsThoughtAfterwards) {

@@ -115,33 +115,7 @@ TEST_F(SessionEvents, WhatIsForgottenOftenIsSetApart) {
     session_->go_on();
   }
   EXPECT_FALSE(session_->is_running());
-  EXPECT_EQ(session_->summary().lessons, std::vector<char32_t>{U'一'});
   EXPECT_EQ(last(), Kind::all_done);
-}
-
-TEST_F(SessionEvents, WhatWasForgottenIsInTheSummaryUntilItIsKnown) {
-  ASSERT_TRUE(session_->start());
-  learn();
-  session_->rate(Rating::again);
-  EXPECT_EQ(session_->summary().again, std::vector<char32_t>{U'一'});
-  EXPECT_EQ(session_->summary().ratings, (std::array{1, 0, 0, 0}));
-  while (session_->character() != U'一' || session_->stage() != Stage::memory ||
-         session_->state() != State::doing) {
-    if (session_->state() == State::doing && session_->stage() == Stage::memory) {
-      write(true);
-      session_->rate(Rating::easy);
-      clock_.advance(std::chrono::minutes(5));
-      continue;
-    }
-    if (session_->state() == State::doing) session_->finish_stage(session_->stage(), {});
-    session_->go_on();
-    ASSERT_TRUE(session_->is_running());
-  }
-  write(true);
-  session_->rate(Rating::good);
-  EXPECT_TRUE(session_->summary().again.empty());
-  EXPECT_EQ(session_->summary().met, (std::vector<char32_t>{U'一', U'二'}));
-  EXPECT_EQ(session_->summary().ratings[2], 1);
 }
 
 TEST_F(SessionEvents, WhatHappensAwayFromTheCharacterCountsForNothing) {
@@ -197,7 +171,8 @@ TEST_F(SessionEvents, WhoGivesUpHadEveryStrokeShown) {
   EXPECT_EQ(session_->proposed(), Rating::again);
   EXPECT_EQ(session_->ink().size(), 1U);
   session_->go_on();
-  EXPECT_EQ(session_->summary().ratings[0], 1) << "going on takes the proposal";
+  EXPECT_EQ(learner_->store().writings_of(U'一')->back().entry.writing.rating, Rating::again)
+      << "going on takes the proposal";
 }
 
 TEST_F(SessionEvents, WithoutASessionNothingCanBePutAsideOrJudged) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "learner_store_inside.h"
+#include "times_as_numbers.h"
 
 namespace nazori::study {
 namespace {
@@ -51,7 +52,17 @@ base::Result<std::vector<LearnerStore::LoggedEntry>> LearnerStore::writings_of(c
 base::Result<std::vector<LearnerStore::LoggedEntry>> LearnerStore::writings_of(char32_t character, Day first,
                                                                                Day last) const {
   return inside_->guarded([&]() -> base::Result<std::vector<LoggedEntry>> {
-    std::vector<LoggedEntry> entries = inside_->entries_of(character, first, last);
+    // The days are counted already, so the search ends with their last writing. The newest come first: most
+    // questions are about the last days of a long history.
+    SQLite::Statement count(
+        inside_->db,
+        "SELECT coalesce(sum(writings), 0) FROM character_day WHERE character = ? AND day "
+        "BETWEEN ? AND ?");
+    count.bind(1, static_cast<std::int64_t>(character));
+    count.bind(2, number_of(first));
+    count.bind(3, number_of(last));
+    const std::int64_t writings = count.executeStep() ? count.getColumn(0).getInt64() : 0;
+    std::vector<LoggedEntry> entries = inside_->entries_of(character, first, last, writings);
     std::erase_if(entries, [](const LoggedEntry& one) { return one.entry.kind != EntryKind::writing; });
     return entries;
   });

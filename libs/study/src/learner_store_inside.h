@@ -67,9 +67,11 @@ struct LearnerStore::Inside {
 
   /// Writings and other entries of one character that were not undone. Throws SQLite::Exception, also for an
   /// invalid row, because a card must not be computed without it.
-  /// Of the days from `first` to `last`.
+  /// Of the days from `first` to `last`. @param writings  so many of them are writings: it ends with the last
+  /// one.
   [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character, Day first = kFirstDay,
-                                                    Day last = kLastDay);
+                                                    Day last = kLastDay,
+                                                    std::optional<std::int64_t> writings = std::nullopt);
   /// Computes the history of one character from its entries that were not undone.
   [[nodiscard]] CardHistory history_of(char32_t character, std::span<const LoggedEntry> entries) const;
   /// A new entry for an action at the present time.

@@ -11,23 +11,26 @@
 
 namespace nazori::study {
 
-std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(char32_t character, Day first,
-                                                                        Day last) {
+std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(
+    char32_t character, Day first, Day last, std::optional<std::int64_t> writings) {
   SQLite::Statement rows(
-      db,
-      fmt::format("SELECT {} FROM log WHERE character = ? AND day BETWEEN ? AND ? ORDER BY id", log_columns));
+      db, fmt::format("SELECT {} FROM log WHERE character = ? AND day BETWEEN ? AND ? ORDER BY id DESC",
+                      log_columns));
   rows.bind(1, static_cast<std::int64_t>(character));
   rows.bind(2, number_of(first));
   rows.bind(3, number_of(last));
   std::vector<LoggedEntry> entries;
-  while (rows.executeStep()) {
+  while (writings != 0 && rows.executeStep()) {
     auto entry = read_entry(rows);
     if (!entry) {
       throw SQLite::Exception(fmt::format("entry {} cannot be", rows.getColumn(0).getInt64()),
                               SQLITE_CORRUPT);
     }
-    if (!undone.contains(entry->entry.action)) entries.push_back(*std::move(entry));
+    if (undone.contains(entry->entry.action)) continue;
+    if (writings && entry->entry.kind == EntryKind::writing) --*writings;
+    entries.push_back(*std::move(entry));
   }
+  std::reverse(entries.begin(), entries.end());
   return entries;
 }
 

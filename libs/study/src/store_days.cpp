@@ -137,6 +137,14 @@ base::Result<std::vector<StudyDay>> LearnerStore::study_days() const {
   });
 }
 
+base::Result<milliseconds> LearnerStore::time_on(Day day) const {
+  return inside_->guarded([&]() -> base::Result<milliseconds> {
+    SQLite::Statement sum(inside_->db, "SELECT coalesce(sum(time_ms), 0) FROM character_day WHERE day = ?");
+    sum.bind(1, number_of(day));
+    return milliseconds(sum.executeStep() ? sum.getColumn(0).getInt64() : 0);
+  });
+}
+
 base::Result<std::vector<char32_t>> LearnerStore::reviewed_on(Day day) const {
   return inside_->guarded([&]() -> base::Result<std::vector<char32_t>> {
     SQLite::Statement rows(inside_->db,
@@ -151,9 +159,10 @@ base::Result<std::vector<char32_t>> LearnerStore::reviewed_on(Day day) const {
 
 base::Result<std::map<char32_t, int>> LearnerStore::failed_days(Day first) const {
   return inside_->guarded([&]() -> base::Result<std::map<char32_t, int>> {
+    // The plus keeps SQLite from reading all days in the order of the characters.
     SQLite::Statement rows(inside_->db,
                            "SELECT character, count(DISTINCT day) FROM character_day WHERE day >= ? AND "
-                           "outcome = ? GROUP BY character");
+                           "outcome = ? GROUP BY +character");
     rows.bind(1, number_of(first));
     rows.bind(2, static_cast<int>(DayOutcome::failed));
     std::map<char32_t, int> days;

@@ -95,6 +95,7 @@ TEST(CharacterDays, AnEasyWritingWhoseTimeIsNotKnownIsAWriting) {
 /// The sums by their definition, from the whole log.
 struct FromTheLog {
   std::map<Day, StudyDay> days;
+  std::map<Day, milliseconds> spent;
   std::map<Day, std::set<char32_t>> reviewed;
   std::map<DayOutcome, std::vector<std::tuple<Day, char32_t, milliseconds>>> times;
 
@@ -107,6 +108,7 @@ struct FromTheLog {
       StudyDay& day = days[entry.day];
       day.day = entry.day;
       ++day.writings;
+      spent[entry.day] += entry.writing.result.duration;
       if (entry.writing.stage != Stage::memory) return true;
       ++day.reviews;
       reviewed[entry.day].insert(entry.character);
@@ -135,6 +137,7 @@ void expect_sums_of_the_log(const LearnerStore& store) {
   for (const auto& [day, sums] : expected.days) days.push_back(sums);
   EXPECT_EQ(must(store.study_days()), days);
   for (const auto& [day, sums] : expected.days) {
+    EXPECT_EQ(must(store.time_on(day)), expected.spent.at(day));
     const auto reviewed = expected.reviewed.find(day);
     const std::set<char32_t> characters =
         reviewed == expected.reviewed.end() ? std::set<char32_t>() : reviewed->second;

@@ -203,7 +203,7 @@ TEST_F(HomeViewTest, TheLearnersOwnInkIsShownOfTodayElseOfTheLastDay) {
   write(U'一', Rating::good);
   write(U'二', Rating::again);
   EXPECT_EQ(text("home_ink_title"), QStringLiteral("Today, in your hand"));
-  EXPECT_EQ(said("home_written"), QStringLiteral("2 written, 1 right"));
+  EXPECT_EQ(said("home_written"), QStringLiteral("2 written, 1 right · about 1 minute"));
   EXPECT_EQ(said("home_ink_empty"), QStringLiteral("(hidden)"));
   const auto* row = view_.findChild<InkRow*>();
   ASSERT_EQ(row->inks().size(), 2U);
@@ -212,11 +212,11 @@ TEST_F(HomeViewTest, TheLearnersOwnInkIsShownOfTodayElseOfTheLastDay) {
   EXPECT_TRUE(can_see("home_week"));
   now_ += days(1);
   EXPECT_EQ(text("home_ink_title"), QStringLiteral("Yesterday, in your hand"));
-  EXPECT_EQ(said("home_written"), QStringLiteral("2 written, 1 right"));
+  EXPECT_EQ(said("home_written"), QStringLiteral("2 written, 1 right · about 1 minute"));
   now_ += days(1);
   EXPECT_EQ(text("home_ink_title"), QStringLiteral("Monday 2 March, in your hand"));
   ASSERT_TRUE(learner_->store().undo());
-  EXPECT_EQ(text("home_written"), QStringLiteral("1 written, 1 right"));
+  EXPECT_EQ(text("home_written"), QStringLiteral("1 written, 1 right · less than a minute"));
 }
 
 TEST_F(HomeViewTest, AllInkIsShownOnlyWhereOneRowIsTooShort) {

@@ -73,7 +73,7 @@ TEST_F(HomeOfALearner, SpeaksJapanese) {
   EXPECT_EQ(view.findChild<QPushButton*>(QStringLiteral("home_start"))->accessibleName(),
             QStringLiteral("始める：新しい字1字・約3分"));
   EXPECT_EQ(view.findChild<QLabel*>(QStringLiteral("home_written"))->text(),
-            QStringLiteral("1回書いて、0回正解"));
+            QStringLiteral("1回書いて、0回正解・1分未満"));
   install_language(QStringLiteral("en"));
 }
 

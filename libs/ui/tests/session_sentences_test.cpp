@@ -118,33 +118,7 @@ TEST_F(SessionSentences, WhatIsForgottenOftenIsSetApart) {
     session_->go_on();
   }
   EXPECT_FALSE(session_->is_running());
-  EXPECT_EQ(session_->summary().lessons, std::vector<char32_t>{U'一'});
   EXPECT_EQ(said(), "All done for now. Everything is saved.");
-}
-
-TEST_F(SessionSentences, WhatWasForgottenIsInTheSummaryUntilItIsKnown) {
-  ASSERT_TRUE(session_->start());
-  learn();
-  session_->rate(Rating::again);
-  EXPECT_EQ(session_->summary().again, std::vector<char32_t>{U'一'});
-  EXPECT_EQ(session_->summary().ratings, (std::array{1, 0, 0, 0}));
-  while (session_->character() != U'一' || session_->stage() != Stage::memory ||
-         session_->state() != State::doing) {
-    if (session_->state() == State::doing && session_->stage() == Stage::memory) {
-      write(true);
-      session_->rate(Rating::easy);
-      now_ += std::chrono::minutes(5);
-      continue;
-    }
-    if (session_->state() == State::doing) session_->finish_stage(session_->stage(), {});
-    session_->go_on();
-    ASSERT_TRUE(session_->is_running());
-  }
-  write(true);
-  session_->rate(Rating::good);
-  EXPECT_TRUE(session_->summary().again.empty());
-  EXPECT_EQ(session_->summary().met, (std::vector<char32_t>{U'一', U'二'}));
-  EXPECT_EQ(session_->summary().ratings[2], 1);
 }
 
 TEST_F(SessionSentences, WithoutASessionNothingCanBePutAsideOrJudged) {

@@ -98,6 +98,18 @@ TEST_F(Dictation, FinishedCharactersAppearInTheirBoxesAndTheWordHasAVerdict) {
   EXPECT_NE(stage().word()->word.text, word.word.text) << "Enter goes on to the next word";
 }
 
+TEST_F(Dictation, InASessionTheQuestionOfTheSessionDoesNotGiveTheWordAway) {
+  show(U'休');
+  ASSERT_TRUE(parts_of_dictation->session().start_with({U'休'}));
+  EXPECT_TRUE(action("watch")->isChecked()) << "what is on the tablet is studied at once";
+  EXPECT_TRUE(find("question_view")->isVisible());
+  press(Qt::Key_F9);
+  ASSERT_TRUE(wait());
+  EXPECT_FALSE(find("question_view")->isVisible());
+  press(Qt::Key_F5);
+  EXPECT_TRUE(find("question_view")->isVisible());
+}
+
 TEST_F(Dictation, IsWrittenWithThePenOnTheTablet) {
   begin(U'一');
   const char32_t first = stage().word()->characters.front();

@@ -105,6 +105,7 @@ text_usual Ctrl+0
 *theme_light Ctrl+Alt+2
 *theme_dark Ctrl+Alt+3
 *reduced_motion Ctrl+Alt+M
+*left_handed Ctrl+Alt+F
 -
 *language_desktop Ctrl+Alt+0
 *language_english Ctrl+Alt+E

@@ -13,6 +13,7 @@
 
 #include "characters/characters.h"
 #include "hand_under_test.h"
+#include "nazori/widgets/controls/input_pause.h"
 #include "nazori/widgets/controls/input_watch.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "start/check_page.h"
@@ -71,6 +72,10 @@ class WindowStart : public WindowTest {
   /// Answers as a learner who can write nothing.
   void know_nothing() {
     while (placement().is_running()) action("check_unknown")->trigger();
+  }
+  /// After a test no press counts for a moment.
+  [[nodiscard]] bool listens_again() {
+    return QTest::qWaitFor([this] { return !find("start_page")->findChild<InputPause*>()->is_on(); }, 20'000);
   }
 
   static inline WindowParts* the_parts = nullptr;
@@ -141,6 +146,15 @@ TEST_F(WindowStart, KeysAloneChooseEveryAnswer) {
   EXPECT_EQ(the_parts->learner().lists()->facts(session().character())->grade, 3);
 }
 
+TEST_F(WindowStart, TabGoesFromTheButtonToTheQuestions) {
+  ASSERT_TRUE(find("start_write")->hasFocus());
+  for (const char* next : {"start_hiragana", "start_nothing", "start_minutes_10", "start_skip"}) {
+    press(Qt::Key_Tab);
+    EXPECT_TRUE(find(next)->hasFocus())
+        << next << ", not " << window_->focusWidget()->objectName().toStdString();
+  }
+}
+
 TEST_F(WindowStart, EveryAnswerIsSpokenWithItsQuestion) {
   const auto spoken = [this](const char* name) {
     auto* access = QAccessible::queryAccessibleInterface(find(name));
@@ -148,7 +162,7 @@ TEST_F(WindowStart, EveryAnswerIsSpokenWithItsQuestion) {
     return access->text(QAccessible::Name);
   };
   EXPECT_EQ(spoken("start_katakana"), QStringLiteral("What would you like to write?: Katakana"));
-  EXPECT_EQ(spoken("start_kana"), QStringLiteral("What can you write already?: I know kana"));
+  EXPECT_EQ(spoken("start_kana"), QStringLiteral("What can you write already?: I know katakana"));
   EXPECT_EQ(spoken("start_minutes_40"), QStringLiteral("How long a day?: 40 min"));
   EXPECT_FALSE(find("start_level")->accessibleName().isEmpty());
   EXPECT_FALSE(find("start_own_text")->accessibleName().isEmpty());
@@ -224,6 +238,7 @@ TEST_F(WindowStart, TheTestEndsWithAResultThatCanBeTakenOrRefused) {
   choose("start_kanji");
   start_check();
   EXPECT_FALSE(text("check_question").isEmpty());
+  EXPECT_FALSE(find("session_bar")->isVisible()) << "there is no session";
   EXPECT_EQ(feedback(), QStringLiteral("Write: %1").arg(text("check_question")));
   QStringList said;
   QObject::connect(the_parts, &WindowParts::announced, window_.get(),
@@ -264,6 +279,7 @@ TEST_F(WindowStart, TheTestEndsWithAResultThatCanBeTakenOrRefused) {
   choose("start_refuse");
   EXPECT_EQ(button(), QStringLiteral("Write 日"));
   choose("start_take");
+  ASSERT_TRUE(listens_again());
   press(Qt::Key_Return, Qt::ControlModifier);
   EXPECT_NEAR(static_cast<double>(store().cards().size()), 240, 60);
   EXPECT_TRUE(store().study_days()->empty()) << "nothing of it was written today";
@@ -300,9 +316,65 @@ TEST_F(WindowStart, ABeginnerIsToldSoAndNothingIsMarked) {
   know_nothing();
   ASSERT_TRUE(is_shown());
   EXPECT_EQ(text("start_result"), QStringLiteral("You are at the beginning. Nothing is marked as known."));
+  EXPECT_EQ(feedback(), text("start_result")) << "a screen reader says it";
+  ASSERT_TRUE(listens_again());
   press(Qt::Key_Return, Qt::ControlModifier);
   EXPECT_EQ(session().character(), U'あ');
   EXPECT_TRUE(store().cards().empty());
+}
+
+TEST_F(WindowStart, OnePressTooManyInTheTestDoesNotTakeItsResult) {
+  start_check();
+  know_nothing();
+  ASSERT_TRUE(is_shown());
+  QTest::mouseClick(find("start_write"), Qt::LeftButton);
+  QTest::mouseDClick(find("start_write"), Qt::LeftButton);
+  QTest::keyClick(find("start_write"), Qt::Key_Return);
+  press(Qt::Key_Return, Qt::ControlModifier);
+  press(Qt::Key_Escape);
+  EXPECT_TRUE(is_shown());
+  EXPECT_FALSE(session().is_running());
+  EXPECT_FALSE(text("start_result").isEmpty());
+  ASSERT_TRUE(listens_again());
+  QTest::mouseClick(find("start_write"), Qt::LeftButton);
+  EXPECT_TRUE(session().is_running());
+}
+
+TEST_F(WindowStart, KanaKnownBesideASyllabaryThatIsLearnedMeansTheOtherOne) {
+  const auto known = [this] { return find<QAbstractButton>("start_kana")->text(); };
+  EXPECT_EQ(known(), QStringLiteral("I know katakana"));
+  choose("start_katakana");
+  EXPECT_EQ(known(), QStringLiteral("I know hiragana"));
+  EXPECT_EQ(find("start_kana")->accessibleName(),
+            QStringLiteral("What can you write already?: I know hiragana"));
+  choose("start_kana");
+  EXPECT_EQ(button(), QStringLiteral("Write ア"));
+  press(Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(session().is_running());
+  EXPECT_TRUE(store().card(U'あ').introduced);
+  EXPECT_FALSE(store().card(U'ア').introduced);
+  session().undo();
+  session().end();
+  action("home_choices")->trigger();
+  choose("start_kanji");
+  EXPECT_EQ(known(), QStringLiteral("I know kana"));
+}
+
+TEST_F(WindowStart, TheButtonIsInSightHoweverLittleRoomThereIs) {
+  for (const char* goal : {"start_hiragana", "start_kanji", "start_own"}) {
+    choose(goal);
+    set_text_size(28, 800, 600);
+    for (const char* name : {"start_write", "start_skip"}) {
+      const QWidget& one = *find(name);
+      EXPECT_EQ(one.visibleRegion().boundingRect(), one.rect()) << name << " beside " << goal;
+    }
+    EXPECT_TRUE(window_->rect().contains(
+        QRect(find("start_write")->mapTo(window_.get(), QPoint()), find("start_write")->size())));
+  }
+  choose("start_hiragana");
+  set_text_size(12, 1600, 1400);
+  const auto y_of = [this](const char* name) { return find(name)->mapTo(window_.get(), QPoint()).y(); };
+  EXPECT_LT(y_of("start_write") - y_of("start_input"), 100) << "near the questions where they all fit";
 }
 
 TEST_F(WindowStart, ANewLearnerIsAskedToo) {

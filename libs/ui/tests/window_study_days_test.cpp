@@ -188,7 +188,7 @@ TEST_F(StudyDays, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhate
     press(Qt::Key_Return);
   }
   EXPECT_FALSE(session().is_running());
-  EXPECT_EQ(text("home_written"), QStringLiteral("2 written, 2 right"));
+  EXPECT_EQ(text("home_written"), QStringLiteral("2 written, 2 right · less than a minute"));
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("you have reached your daily limit")))
       << text("home_advice").toStdString();
   EXPECT_EQ(reviews_in_log(), rated);
@@ -261,11 +261,19 @@ TEST_F(StudyDays, ALeftHandedLayoutChangesSides) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return shown_character_ != 0; }, 20000));
   const auto x_of = [this](const char* name) { return find(name)->mapTo(window_.get(), QPoint()).x(); };
   EXPECT_LT(x_of("library_panel"), x_of("information_panel"));
-  the_parts->preferences().left_handed = true;
-  the_parts->study_settings_changed();
+  press(Qt::Key_F, Qt::ControlModifier | Qt::AltModifier);
   QCoreApplication::processEvents();
+  EXPECT_TRUE(the_parts->preferences().left_handed);
   EXPECT_GT(x_of("library_panel"), x_of("information_panel"));
   EXPECT_GE(find("tablet")->width(), 639);
+  ASSERT_TRUE(session().start());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find("session_next")->isVisible(); }, 20000));
+  QCoreApplication::processEvents();
+  EXPECT_LT(x_of("session_next"), find("tablet")->mapTo(window_.get(), QPoint()).x() + 100)
+      << "near the left hand";
+  press(Qt::Key_F, Qt::ControlModifier | Qt::AltModifier);
+  QCoreApplication::processEvents();
+  EXPECT_GT(x_of("session_next"), 700);
 }
 
 }  // namespace

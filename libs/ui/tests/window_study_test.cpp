@@ -194,17 +194,17 @@ TEST_F(Study, GoingElsewhereKeepsTheSessionAndEnterComesBack) {
 TEST_F(Study, TheEndTellsWhatWasDoneAndWhatComes) {
   start();
   learn();
+  shown_character_ = 0;
   press(Qt::Key_3);
   // The review in ten minutes is asked now, because nothing else is due.
   ASSERT_TRUE(session().is_running());
-  shown_character_ = 0;
   ASSERT_TRUE(is_shown());
   write_from_memory(true);
   press(Qt::Key_3);
   EXPECT_FALSE(session().is_running());
   EXPECT_TRUE(find("home_page")->isVisible());
   EXPECT_EQ(text("home_ink_title"), QStringLiteral("Today, in your hand"));
-  EXPECT_EQ(text("home_written"), QStringLiteral("2 written, 2 right"));
+  EXPECT_EQ(text("home_written"), QStringLiteral("2 written, 2 right · less than a minute"));
   EXPECT_EQ(find<InkRow>("ink_row")->inks().size(), 1U) << "one of each character";
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("Done for today")))
       << text("home_advice").toStdString();
@@ -236,7 +236,7 @@ TEST_F(Study, WhatWasHardTodayIsPractisedByOneKey) {
   write_from_memory(false);
   go_on();
   session().end();
-  EXPECT_EQ(text("home_written"), QStringLiteral("1 written, 0 right"));
+  EXPECT_EQ(text("home_written"), QStringLiteral("1 written, 0 right · less than a minute"));
   EXPECT_EQ(find<QPushButton>("home_practise")->text(), QStringLiteral("Practise these, 1 min"));
   press(Qt::Key_P);
   ASSERT_TRUE(session().is_running());
@@ -258,9 +258,9 @@ TEST_F(Study, WhatWasKeptLastStandsAboveTheButtonThatTakesItBack) {
   start();
   EXPECT_FALSE(find("session_note")->isVisible());
   learn();
+  shown_character_ = 0;
   press(Qt::Key_3);
   ASSERT_TRUE(session().is_running());
-  shown_character_ = 0;
   ASSERT_TRUE(is_shown());
   EXPECT_FALSE(feedback().contains(QStringLiteral("Kept"))) << "the next task has words of its own";
   EXPECT_TRUE(text("session_note").contains(QStringLiteral("Good. Next review in 10 minutes")))

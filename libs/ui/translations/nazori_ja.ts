@@ -151,6 +151,14 @@
         <translation>動きを減らす(&amp;R)</translation>
     </message>
     <message>
+        <source>Le&amp;ft-handed</source>
+        <translation>左利き(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Panels, the next button, brush and light change sides</source>
+        <translation>パネル、次へ進むボタン、筆、光の左右を入れ替えます</translation>
+    </message>
+    <message>
         <source>No animations: changes appear at once</source>
         <translation>アニメーションを使わず、すぐに切り替えます</translation>
     </message>
@@ -1038,8 +1046,8 @@
         <translation>文字の情報を表示／非表示にします</translation>
     </message>
     <message>
-        <source>The character as grooves to trace. The left button presses the stylus down; the right button turns the tablet</source>
-        <translation>溝になった文字をなぞります。左ボタンでペン先を下ろし、右ボタンで文字板を回します</translation>
+        <source>The character as grooves to trace. The left button presses the stylus down; the right button turns the tablet. M: move the pen by keys</source>
+        <translation>溝になった文字をなぞります。左ボタンでペン先を下ろし、右ボタンで文字板を回します。M：キーでペンを動かします</translation>
     </message>
     <message>
         <source>There are no strokes for %1 in the database. The tablet was not changed.</source>
@@ -3036,6 +3044,11 @@ Columns and rows:</source>
     <message>
         <source>%1 written, %2 right</source>
         <translation>%1回書いて、%2回正解</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>written and right, time</comment>
+        <translation>%1・%2</translation>
     </message>
     <message numerus="yes">
         <source>Done for now. %n characters come back today, the first at %1.</source>
@@ -5434,6 +5447,14 @@ Columns and rows:</source>
         <translation>かなは書ける</translation>
     </message>
     <message>
+        <source>I know katakana</source>
+        <translation>カタカナは書ける</translation>
+    </message>
+    <message>
+        <source>I know hiragana</source>
+        <translation>ひらがなは書ける</translation>
+    </message>
+    <message>
         <source>I know some kanji</source>
         <translation>漢字も少し書ける</translation>
     </message>
@@ -6227,8 +6248,8 @@ Columns and rows:</source>
         <translation>ときどき、その文字を抜いた言葉で出題する(&amp;W)</translation>
     </message>
     <message>
-        <source>&amp;Left-handed: swap the panels beside the tablet</source>
-        <translation>左利き：文字板の左右のパネルを入れ替える(&amp;L)</translation>
+        <source>&amp;Left-handed: panels, next button, brush and light change sides</source>
+        <translation>左利き：パネル、次へ進むボタン、筆、光の左右を入れ替える(&amp;L)</translation>
     </message>
     <message>
         <source>One-handed keys</source>

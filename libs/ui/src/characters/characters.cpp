@@ -58,8 +58,7 @@ Characters::Characters(WindowParts& parts)
     : Page(parts, {QStringLiteral("characters"), tr("&Characters"),
                    tr("Carved characters to see, feel and write"), Icon::strokes,
                    tr("The character as grooves to trace. The left button presses the stylus down; the right "
-                      "button turns "
-                      "the tablet")}),
+                      "button turns the tablet. M: move the pen by keys")}),
       practice_(parts.practice()),
       actions_(new CharacterActions(&parts.window())),
       session_actions_(new SessionActions(&parts.window())),
@@ -98,6 +97,8 @@ Characters::Characters(WindowParts& parts)
   connect_session();
   connect_study_actions();
   connect_standing();
+  // Another page with the tablet may be shown before this one was entered.
+  hide_session();
 }
 
 void Characters::make_stage_views() {
@@ -194,6 +195,10 @@ void Characters::leave() {
   key_writing_->end();
   practice_.leave();
   parts().tablet().set_cross(view::WritingCross::none);
+  hide_session();
+}
+
+void Characters::hide_session() {
   for (auto* one : std::initializer_list<QWidget*>{session_bar_, question_view_, session_answers_})
     one->hide();
 }
@@ -204,6 +209,7 @@ void Characters::show_stage() {
   current().action->setChecked(true);
   for (auto* action : current().view->own_actions()) action->setEnabled(true);
   emit tools_changed();
+  show_session();
   parts().save_later();
 }
 

@@ -75,6 +75,8 @@ class Characters final : public Page {
   void show_stage();
   void show_hiding();
   void show_session();
+  /// The parts of a session beside the tablet, which other pages show, too.
+  void hide_session();
   void show_cross();
   void open_search();
   void open_drawing(bool open);

@@ -6,6 +6,7 @@
 #include "characters/information_panel.h"
 #include "characters/library_panel.h"
 #include "characters/writing_report.h"
+#include "nazori/practice/stage_table.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/events/signals.h"
 #include "nazori/widgets/page/window_parts.h"
@@ -36,7 +37,9 @@ void Characters::connect_session() {
     session_actions_->set_one_hand(parts().preferences().one_hand, actions_->hint, actions_->undo_stroke,
                                    actions_->done);
     parts().session().set_asks_by_words(parts().preferences().asks_by_words);
+    session_answers_->set_left_handed(parts().preferences().left_handed);
   });
+  session_answers_->set_left_handed(parts().preferences().left_handed);
   session_actions_->set_one_hand(parts().preferences().one_hand, actions_->hint, actions_->undo_stroke,
                                  actions_->done);
 }
@@ -117,6 +120,9 @@ void Characters::show_session() {
     verdict = {WritingReport::verdict(memory.grade()), WritingReport::spoken_verdict(memory.grade()),
                WritingReport::stars(memory.grade())};
   question_view_->show_state(practice_.sheet(), verdict);
+  // In a dictation the session's question would stand above the tablet with the answer.
+  const auto* kind = practice::stage_kind(practice_.current_stage().id());
+  if (kind != nullptr && !kind->lesson) question_view_->hide();
   session_answers_->show_state();
   session_panel_->show_state(practice_.sheet());
   emit room_changed();

@@ -3,8 +3,10 @@
 
 #include <QTimer>
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
+#include "nazori/widgets/controls/input_pause.h"
 #include "nazori/widgets/controls/input_watch.h"
 #include "nazori/widgets/events/signals.h"
 #include "nazori/widgets/page/window_parts.h"
@@ -13,8 +15,15 @@
 #include "nazori/widgets/words/kanji_text.h"
 #include "nazori/widgets/words/learner_words.h"
 #include "start/start_view.h"
+#include "start/start_words.h"
 
 namespace nazori::ui {
+namespace {
+
+/// The result of the test appears under the hand that has just answered the last question.
+constexpr std::chrono::milliseconds kPause{800};
+
+}  // namespace
 
 StartActions::StartActions(QWidget* window) : ActionSet(window) {
   write = make("start_go_on", tr("&Write"), tr("Save these answers and write the first character"),
@@ -30,7 +39,8 @@ StartPage::StartPage(WindowParts& parts)
                    Icon::home,
                    {}}),
       actions_(new StartActions(&parts.window())),
-      view_(new StartView(&parts.window())) {
+      view_(new StartView(&parts.window())),
+      pause_(new InputPause(view_)) {
   on(actions_->write, [this] { go_on(); });
   on(actions_->skip, [this] { skip(); });
   connect(view_, &StartView::write_wanted, actions_->write, &QAction::trigger);
@@ -52,6 +62,8 @@ StartPage::StartPage(WindowParts& parts)
   subscribe(parts.placement().ended, this, [this](const practice::PlacementResult& result) {
     view_->show_result(result);
     emit wants_to_be_entered();
+    pause_->begin(kPause);
+    this->parts().announce(Feedback::good, StartWords::found(result, view_->answers().goal));
   });
 }
 

@@ -8,6 +8,7 @@
 
 namespace nazori::ui {
 
+class InputPause;
 class StartView;
 
 /// The actions of the first start.
@@ -47,6 +48,7 @@ class StartPage final : public Page {
 
   StartActions* actions_;
   StartView* view_;
+  InputPause* pause_;
   practice::LearningAnswers before_;
   bool is_first_ = true;
   bool is_open_ = false;  ///< the answers are not saved yet, and stay

@@ -9,7 +9,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QScrollBar>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -55,9 +55,12 @@ Goal goal_id(LearningGoal goal) {
 }  // namespace
 
 StartView::StartView(QWidget* parent)
-    : QScrollArea(parent), content_(named(new QWidget(this), "start_content")) {
+    : QWidget(parent),
+      area_(named(new QScrollArea(this), "start_questions")),
+      content_(named(new QWidget(area_), "start_content")),
+      end_(named(new QFrame(this), "start_end")) {
   named(this, "start_page", tr("What to learn"));
-  setFrameShape(QFrame::NoFrame);
+  area_->setFrameShape(QFrame::NoFrame);
   welcome_ = text_label("start_welcome", content_);
   about_ = text_label("start_about", content_, "muted");
   auto* column = new QVBoxLayout(content_);
@@ -67,12 +70,36 @@ StartView::StartView(QWidget* parent)
   add_goals();
   add_known();
   add_minutes();
-  add_end();
   column->addStretch(1);
-  make_scrolling(this, content_);
+  make_scrolling(area_, content_);
+  add_end();
+  auto* both = new QVBoxLayout(this);
+  both->setContentsMargins(0, 0, 0, 0);
+  both->setSpacing(0);
+  both->addWidget(area_, 1);
+  both->addWidget(end_);
+  both->addStretch(0);
   setFocusProxy(write_);
+  order_tabs();
   show_parts();
   fit();
+}
+
+void StartView::order_tabs() {
+  // The keyboard begins on the button, so the questions come next, not the pages of the window.
+  QList<QWidget*> order{write_};
+  const auto add = [&order](const QButtonGroup& group) {
+    for (auto* button : group.buttons()) order.append(button);
+  };
+  add(*goal_);
+  add(*kanji_);
+  order.append(own_text_);
+  add(*known_);
+  order.append(level_);
+  add(*result_);
+  add(*minutes_);
+  order.append(skip_);
+  for (qsizetype i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
 }
 
 QLabel* StartView::add_question(const QString& words) {
@@ -88,6 +115,7 @@ QButtonGroup* StartView::add_row(const QList<ChoiceButton*>& buttons, const char
   auto* row = named(new QWidget(content_), name, spoken);
   auto* flow = new FlowLayout(kGap, kGap, row);
   auto* group = new QButtonGroup(row);
+  group->setProperty("question", spoken);
   for (auto* button : buttons) {
     button->setParent(row);
     flow->addWidget(button);
@@ -171,21 +199,24 @@ void StartView::add_minutes() {
 }
 
 void StartView::add_end() {
-  trouble_ = sentence_label("start_trouble", content_, "trouble");
-  write_ = named(new QPushButton(content_), "start_write");
+  trouble_ = sentence_label("start_trouble", end_, "trouble");
+  write_ = named(new QPushButton(end_), "start_write");
   write_->setProperty("role", QStringLiteral("primary"));
-  skip_ = named(new QPushButton(content_), "start_skip");
+  skip_ = named(new QPushButton(end_), "start_skip");
   input_ = text_label("start_input", content_, "muted");
   for (auto* button : {write_, skip_}) button->setAutoDefault(true);
   connect(write_, &QPushButton::clicked, this, &StartView::write_wanted);
   connect(skip_, &QPushButton::clicked, this, &StartView::skip_wanted);
-  auto* row = new QWidget(content_);
+  auto* row = new QWidget(end_);
   auto* flow = new FlowLayout(kGap, kGap, row);
   flow->addWidget(write_);
   flow->addWidget(skip_);
-  content_->layout()->addWidget(trouble_);
-  content_->layout()->addWidget(row);
-  content_->layout()->addWidget(input_);
+  auto* column = new QVBoxLayout(end_);
+  column->setSpacing(kGap);
+  column->addWidget(trouble_);
+  column->addWidget(row);
+  auto* questions = static_cast<QVBoxLayout*>(content_->layout());
+  questions->insertWidget(questions->count() - 1, input_);
   trouble_->hide();
 }
 
@@ -302,6 +333,18 @@ void StartView::show_parts() {
   const bool has_result = known_->checkedId() == check && found_.has_value();
   result_words_->setVisible(has_result);
   result_row_->setVisible(has_result && !found_->known.empty());
+  name_kana();
+}
+
+void StartView::name_kana() {
+  auto* button = known_->button(kana);
+  const QString words = goal_->checkedId() == hiragana   ? tr("I know katakana")
+                        : goal_->checkedId() == katakana ? tr("I know hiragana")
+                                                         : tr("I know kana");
+  if (button->text() == words) return;
+  button->setText(words);
+  button->setAccessibleName(tr("%1: %2").arg(known_->property("question").toString(), words));
+  button->updateGeometry();
 }
 
 void StartView::show_plan(char32_t first, const QString& trouble, const std::vector<char32_t>& own) {
@@ -338,9 +381,12 @@ void StartView::fit() {
   button.setPointSizeF(points * 1.3);
   write_->setFont(button);
   own_text_->setFixedHeight(QFontMetrics(own_text_->font()).lineSpacing() * kTextLines + em);
-  const int room = std::min(viewport()->width() - 2 * kMargin, em * kWidest_em);
-  const int beside = std::max(kMargin, (viewport()->width() - room) / 2);
+  const int width = area_->viewport()->width();
+  const int beside = std::max(kMargin, (width - std::min(width - 2 * kMargin, em * kWidest_em)) / 2);
   content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
+  end_->layout()->setContentsMargins(beside, kGap, beside, kGap);
+  // The button follows the questions; where they do not fit, they scroll above it.
+  area_->setMaximumHeight(content_->layout()->heightForWidth(width));
 }
 
 void StartView::keyPressEvent(QKeyEvent* event) {
@@ -348,16 +394,16 @@ void StartView::keyPressEvent(QKeyEvent* event) {
     write_->click();
     return;
   }
-  QScrollArea::keyPressEvent(event);
+  QWidget::keyPressEvent(event);
 }
 
 void StartView::changeEvent(QEvent* event) {
-  QScrollArea::changeEvent(event);
+  QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange) fit();
 }
 
 void StartView::resizeEvent(QResizeEvent* event) {
-  QScrollArea::resizeEvent(event);
+  QWidget::resizeEvent(event);
   fit();
 }
 

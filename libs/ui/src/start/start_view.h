@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QScrollArea>
+#include <QWidget>
 #include <optional>
 
 #include "nazori/practice/learning_choices.h"
@@ -12,13 +12,15 @@ class QComboBox;
 class QLabel;
 class QPlainTextEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace nazori::ui {
 
 class ChoiceButton;
 
-/// The three questions of the first start, and the button that begins.
-class StartView final : public QScrollArea {
+/// The three questions of the first start, and below them the button that begins. The button is visible
+/// however far the questions are scrolled.
+class StartView final : public QWidget {
   Q_OBJECT
  public:
   explicit StartView(QWidget* parent = nullptr);
@@ -56,12 +58,16 @@ class StartView final : public QScrollArea {
   void add_known();
   void add_minutes();
   void add_end();
+  void order_tabs();
   void choose(QButtonGroup* group, int id);
   void note_change();
+  /// What "I know kana" would mark beside this goal: the syllabary that is being learned is not known yet.
+  void name_kana();
   void show_parts();
   void fit();
 
-  QWidget* content_;
+  QScrollArea* area_;
+  QWidget *content_, *end_;
   QLabel *welcome_, *about_;
   QButtonGroup *goal_, *kanji_, *known_, *result_, *minutes_;
   QWidget* kanji_row_;

@@ -77,7 +77,9 @@ QString HomeWords::about_days(int days) {
 }
 
 QString HomeWords::written(const practice::WritingRecord& record) {
-  return tr("%1 written, %2 right").arg(record.writings.size()).arg(record.right());
+  const QString count = tr("%1 written, %2 right").arg(record.writings.size()).arg(record.right());
+  if (record.time.count() == 0) return count;
+  return tr("%1 · %2", "written and right, time").arg(count, StudyWords::about(record.time));
 }
 
 QString HomeWords::outlook(const practice::DayOutlook& outlook, const study::Calendar& calendar) {

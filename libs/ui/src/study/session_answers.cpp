@@ -103,6 +103,11 @@ void SessionAnswers::show_state() {
   setMinimumHeight(least + 2 * kMargin_px);
 }
 
+void SessionAnswers::set_left_handed(bool left) {
+  static_cast<QHBoxLayout*>(task_->layout())
+      ->setDirection(left ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight);
+}
+
 void SessionAnswers::show_ratings(const QFontMetrics& metrics) {
   const auto now = learner_.store().now();
   const auto today = learner_.store().today();

@@ -22,6 +22,8 @@ class SessionAnswers final : public QFrame {
                  const practice::Learner& learner, const QList<QAction*>& help, QWidget* parent);
 
   void show_state();
+  /// The next step is on the side of the hand that writes.
+  void set_left_handed(bool left);
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -162,8 +162,8 @@ QWidget* StudySettingsDialog::make_window(const Preferences& preferences) {
   at_home_ = add_check(page, tr("Start Nazori on &Home"), "study_at_home", preferences.begin_at_home);
   by_words_ = add_check(page, tr("Sometimes ask with a &word that leaves out the character"),
                         "study_by_words", preferences.asks_by_words);
-  left_handed_ = add_check(page, tr("&Left-handed: swap the panels beside the tablet"), "study_left_handed",
-                           preferences.left_handed);
+  left_handed_ = add_check(page, tr("&Left-handed: panels, next button, brush and light change sides"),
+                           "study_left_handed", preferences.left_handed);
   one_hand_ = named(new QComboBox(page), "study_one_hand", tr("One-handed keys"));
   one_hand_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   one_hand_->addItem(tr("none"), static_cast<int>(OneHand::none));

@@ -79,6 +79,8 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
   text_usual = make("text_usual", tr("Defa&ult text size"), tr("Reset the text size"), "Ctrl+0");
   reduced_motion = make("reduced_motion", tr("&Reduce motion"), tr("No animations: changes appear at once"),
                         "Ctrl+Alt+M", true);
+  left_handed = make("left_handed", tr("Le&ft-handed"),
+                     tr("Panels, the next button, brush and light change sides"), "Ctrl+Alt+F", true);
   // The page sets the text of these two.
   left_panel = make("left_panel", {}, {}, "F2", true, Icon::library);
   right_panel = make("right_panel", {}, {}, "F3", true, Icon::information);
@@ -111,7 +113,7 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
               move_down, nullptr,    groove_sound, sound_louder, sound_softer, slope_help}};
   view_ = {tr("&View"),
            {left_panel, right_panel, full_screen, nullptr, text_larger, text_smaller, text_usual, nullptr,
-            theme_desktop, theme_light, theme_dark, reduced_motion, nullptr, language_desktop,
+            theme_desktop, theme_light, theme_dark, reduced_motion, left_handed, nullptr, language_desktop,
             language_english, language_japanese}};
   go_ = {tr("&Go"), {}};
   help_ = {tr("&Help"), {keys, about}};

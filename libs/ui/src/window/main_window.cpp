@@ -317,6 +317,7 @@ void MainWindow::Inside::show_state() {
       {actions->language_english, preferences.language == QLatin1String("en")},
       {actions->language_japanese, preferences.language == QLatin1String("ja")},
       {actions->reduced_motion, preferences.reduced_motion},
+      {actions->left_handed, preferences.left_handed},
   };
   for (const auto& [action, on] : states) action->setChecked(on);
   actions->text_larger->setEnabled(preferences.text_pt < Preferences::kMaxText_pt);

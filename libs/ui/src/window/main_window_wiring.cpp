@@ -106,6 +106,11 @@ void MainWindow::Inside::connect_actions() {
     if (tablet_window != nullptr) tablet_window->set_reduced_motion(reduced);
     save_later();
   });
+  on(actions->left_handed, [this](bool left) {
+    parts.preferences().left_handed = left;
+    emit parts.study_settings_changed();
+    save_later();
+  });
   on(actions->left_panel, [this](bool open) { panes->open_left(open); });
   on(actions->right_panel, [this](bool open) { panes->open_right(open); });
   on(actions->full_screen, [this](bool full) { set_full_screen(full); });
@@ -144,8 +149,12 @@ void MainWindow::Inside::connect_parts() {
   });
   QObject::connect(&parts, &WindowParts::character_shown, &window, &MainWindow::character_shown);
   QObject::connect(&parts, &WindowParts::go_to, &window, &MainWindow::go_to);
-  QObject::connect(&parts, &WindowParts::study_settings_changed, &window,
-                   [this] { panes->set_mirrored(parts.preferences().left_handed); });
+  QObject::connect(&parts, &WindowParts::study_settings_changed, &window, [this] {
+    const bool left = parts.preferences().left_handed;
+    panes->set_mirrored(left);
+    if (tablet_window != nullptr) tablet_window->set_hand(left ? view::Hand::left : view::Hand::right);
+    actions->left_handed->setChecked(left);
+  });
   QObject::connect(&parts, &WindowParts::opened, &window, &MainWindow::opened);
   subscribe(parts.library().opened, &window,
             [this](const std::vector<kanji::Source>& read) { sources = read; });
@@ -316,6 +325,7 @@ void MainWindow::Inside::record(bool on) {
 void MainWindow::Inside::connect_tablet() {
   if (tablet_window != nullptr) {
     tablet_window->set_reduced_motion(parts.preferences().reduced_motion);
+    tablet_window->set_hand(parts.preferences().left_handed ? view::Hand::left : view::Hand::right);
     QObject::connect(tablet_window, &TabletWindow::files_dropped, &window,
                      [this](const QStringList& paths) { window.open_files(paths); });
     QObject::connect(tablet_window, &TabletWindow::focus_leaves, &window,

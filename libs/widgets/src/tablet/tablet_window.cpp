@@ -70,6 +70,11 @@ void TabletWindow::set_theme(view::Theme theme) {
   request_frame();
 }
 
+void TabletWindow::set_hand(view::Hand hand) {
+  hand_ = hand;
+  request_frame();
+}
+
 void TabletWindow::set_text_size(int text_pt) {
   text_scale_ = text_pt / 12.0;
   request_frame();
@@ -123,6 +128,7 @@ void TabletWindow::paintGL() {
   }
   view_->set_theme(theme_);
   view_->set_style(style_);
+  view_->set_hand(hand_);
   view_->set_camera(camera_);
   const double scale = devicePixelRatio();
   view::Overlay overlay = controller_->overlay();

@@ -110,6 +110,8 @@ class CharacterPractice {
   void connect_work();
   void use_sheet(const std::shared_ptr<const CharacterSheet>& sheet);
   void use_tablet(char32_t character, const Tablet& tablet);
+  /// Begins with the character on the tablet: in a session at the stage that is due, else at the present one.
+  void present();
   void use_own(const OwnTablet& loaded);
   void begin_stage();
   /// Whether a stage asks for the character without showing it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,7 @@ struct RecordedWriting {
 struct WritingRecord {
   study::Day first{};                     ///< of the days
   study::Day last{};                      ///< of the days; `first` for a single day
+  std::chrono::milliseconds time{0};      ///< of all writings of these days, practice included
   int study_days = 0;                     ///< days on which something was written from memory
   std::vector<RecordedWriting> writings;  ///< in the order in which they were written
   std::vector<char32_t> fresh;            ///< begun on these days, in the order of their first writing

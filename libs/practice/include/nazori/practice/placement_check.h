@@ -34,7 +34,7 @@ class PlacementCheck {
  public:
   static constexpr int kFewest = 12;                             ///< questions, if the list has as many
   static constexpr int kMost = 14;                               ///< questions
-  static constexpr std::chrono::milliseconds kLongest{120'000};  ///< no question is asked after that
+  static constexpr std::chrono::milliseconds kLongest{120'000};  ///< after that the 8th is the last
 
   /// @param by_difficulty  easiest first, each character once.
   explicit PlacementCheck(std::vector<char32_t> by_difficulty, const PlacementRates& rates = {});

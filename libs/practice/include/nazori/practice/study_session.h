@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -17,17 +16,6 @@
 #include "nazori/writing/grade.h"
 
 namespace nazori::practice {
-
-/// What a session came to.
-struct SessionSummary {
-  int reviews = 0;                ///< from memory
-  std::array<int, 4> ratings{};   ///< again, hard, good, easy
-  int practices = 0;              ///< in other stages
-  std::vector<char32_t> met;      ///< characters met first
-  std::vector<char32_t> again;    ///< those that were forgotten
-  std::vector<char32_t> lessons;  ///< leeches that had their other lesson
-  std::chrono::milliseconds time{0};
-};
 
 /// Goes through what is due, character by character and stage by stage: what was done on the tablet goes in
 /// and is saved in the learner's store, what comes next goes out. Everything is saved at once, so a session
@@ -75,7 +63,6 @@ class StudySession {
   [[nodiscard]] int done() const { return done_; }
   [[nodiscard]] int total() const { return done_ + left_; }
   [[nodiscard]] std::chrono::milliseconds time_left() const { return time_left_; }
-  [[nodiscard]] const SessionSummary& summary() const { return summary_; }
 
   /// Another word with the character left out, where one is asked for by a word; nullptr: by its meaning.
   [[nodiscard]] const kanji::Word* word() const { return word_ ? &*word_ : nullptr; }
@@ -186,7 +173,6 @@ class StudySession {
   int done_ = 0;
   int left_ = 0;
   std::chrono::milliseconds time_left_{0};
-  SessionSummary summary_;
   base::Connection profile_changed_;
 };
 

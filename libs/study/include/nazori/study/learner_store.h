@@ -174,6 +174,8 @@ class LearnerStore {
   // history.
   /// Days with a writing that was not undone, oldest first.
   [[nodiscard]] base::Result<std::vector<StudyDay>> study_days() const;
+  /// How long the writings of a day took, in every stage.
+  [[nodiscard]] base::Result<std::chrono::milliseconds> time_on(Day day) const;
   /// Characters that were written from memory on a day, ascending.
   [[nodiscard]] base::Result<std::vector<char32_t>> reviewed_on(Day day) const;
   /// Characters whose first review of a day failed, with the number of such days from `first` on.

@@ -38,6 +38,8 @@ class TabletWindow final : public QOpenGLWindow {
   /// Numbers on the tablet grow with the text of the window.
   void set_text_size(int text_pt);
   void set_reduced_motion(bool reduced) { reduced_motion_ = reduced; }
+  /// The hand that writes: brush and light are on its side.
+  void set_hand(view::Hand hand);
 
   /// Moves of the camera, for menus and keys. Amounts are those of a drag in logical pixels; a factor for
   /// zoom.
@@ -90,6 +92,7 @@ class TabletWindow final : public QOpenGLWindow {
   view::Camera camera_;
   double text_scale_ = 1;
   bool tablet_stale_ = true;
+  view::Hand hand_ = view::Hand::right;
   bool reduced_motion_ = false;
   bool pen_down_ = false;
   bool pen_in_proximity_ = false;
