@@ -1,0 +1,481 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/calligraphy/sheet_editor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "editor_under_test.h"
+#include "nazori/base/file.h"
+#include "nazori/paint/sheet_file.h"
+
+namespace nazori::calligraphy {
+namespace {
+
+using test::editor;
+using test::line;
+using test::painted;
+
+namespace fs = std::filesystem;
+
+class EditorFiles : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path folder_ = fs::path(testing::TempDir()) / "calligraphy_editor";
+};
+
+TEST(SheetEditor, BeginsEmptyWithABrushFullOfSumi) {
+  const SheetEditor e = editor();
+  const SheetState state = e.state();
+  EXPECT_EQ(state.strokes, 0);
+  EXPECT_EQ(state.undoes, Edit::none);
+  EXPECT_EQ(state.redoes, Edit::none);
+  EXPECT_FALSE(state.is_wet);
+  EXPECT_TRUE(state.is_saved);
+  EXPECT_EQ(state.paper, "hanshi");
+  EXPECT_EQ(state.ink, "sumi");
+  EXPECT_EQ(state.fullness, 1);
+  EXPECT_NEAR(state.strength, 1, 1e-9);
+}
+
+TEST(SheetEditor, APaperThatThereIsNotIsRefused) {
+  EXPECT_FALSE(SheetEditor::create("parchment", 128));
+  SheetEditor e = editor();
+  EXPECT_FALSE(e.take_new_sheet("parchment"));
+  EXPECT_EQ(e.state().undoes, Edit::none);
+}
+
+TEST(SheetEditor, AStrokeLeavesInkAlongItsWayOnly) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0.02}, {0.03, 0.02});
+  EXPECT_TRUE(painted(e, {0, 0.02}));
+  EXPECT_FALSE(painted(e, {0, -0.03}));
+  const SheetState state = e.state();
+  EXPECT_EQ(state.strokes, 1);
+  EXPECT_EQ(state.undoes, Edit::stroke);
+  EXPECT_TRUE(state.is_wet);
+  EXPECT_FALSE(state.is_saved);
+  EXPECT_FALSE(state.is_writing);
+  EXPECT_LT(state.fullness, 1);
+}
+
+TEST(SheetEditor, AboveThePaperNothingIsWritten) {
+  SheetEditor e = editor();
+  for (int i = 0; i < 20; ++i) {
+    brush::PenSample sample;
+    sample.time_s = 0.01 * i;
+    sample.at = {0.002 * i, 0};
+    sample.down = false;
+    e.move_pen(sample);
+  }
+  EXPECT_EQ(e.state().strokes, 0);
+  EXPECT_FALSE(e.state().is_wet);
+}
+
+TEST(SheetEditor, TheNextStrokeDoesNotBeginWhereTheLastOneEnded) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0.03}, {-0.03, 0.02});
+  line(e, {0.03, -0.03}, {0.03, -0.02});
+  EXPECT_FALSE(painted(e, {0, 0}));
+  EXPECT_EQ(e.state().strokes, 2);
+}
+
+TEST(SheetEditor, MorePressureMakesABroaderLine) {
+  const auto width = [](double pressure) {
+    SheetEditor e = editor();
+    line(e, {-0.03, 0}, {0.03, 0}, pressure);
+    int cells = 0;
+    for (int row = 0; row < e.sheet().size(); ++row) cells += test::is_painted(e, e.sheet().size() / 2, row) ? 1 : 0;
+    return cells;
+  };
+  EXPECT_GT(width(0.8), 1.3 * width(0.25));
+}
+
+TEST(SheetEditor, WithoutPressureAFastStrokeIsThinnerUnlessNothingIsGuessed) {
+  const auto amount = [](double seconds, bool guesses) {
+    SheetEditor e = editor();
+    brush::Handling handling;
+    handling.guess_pressure = guesses;
+    e.set_handling(handling);
+    line(e, {-0.03, 0}, {0.03, 0}, {}, seconds);
+    return test::painted_cells(e);
+  };
+  EXPECT_GT(amount(1.5, true), 1.2 * amount(0.15, true));
+  EXPECT_NEAR(amount(1.5, false), amount(0.5, false), 0.3 * amount(0.5, false));
+}
+
+TEST(SheetEditor, SamplesThatAreNoNumbersAreIgnored) {
+  SheetEditor e = editor();
+  brush::PenSample sample;
+  sample.at.x = std::numeric_limits<double>::quiet_NaN();
+  e.move_pen(sample);
+  sample = {};
+  sample.pressure = std::numeric_limits<double>::infinity();
+  e.move_pen(sample);
+  sample = {};
+  sample.time_s = std::numeric_limits<double>::quiet_NaN();
+  e.move_pen(sample);
+  EXPECT_EQ(e.state().strokes, 0);
+}
+
+TEST(SheetEditor, TimesThatDoNotGrowStillMakeAStroke) {
+  SheetEditor e = editor();
+  for (int i = 0; i <= 60; ++i) {
+    brush::PenSample sample;
+    sample.time_s = 5 - 0.01 * i;
+    sample.at = {-0.03 + 0.001 * i, 0};
+    sample.pressure = 7;  // counts as 1
+    e.move_pen(sample);
+  }
+  e.lift_pen();
+  EXPECT_TRUE(painted(e, {0, 0}));
+  EXPECT_FALSE(e.state().is_writing);
+}
+
+TEST(SheetEditor, UndoAndRedoBringBackEveryByte) {
+  SheetEditor e = editor();
+  const auto empty = e.bytes();
+  line(e, {-0.03, 0.02}, {0.03, 0.02});
+  for (int i = 0; i < 10; ++i) e.step();
+  const auto one = e.bytes();
+  line(e, {-0.03, -0.02}, {0.03, -0.02});
+  const auto two = e.bytes();
+  EXPECT_EQ(e.undo(), Edit::stroke);
+  EXPECT_EQ(e.bytes(), one);
+  EXPECT_EQ(e.state().strokes, 1);
+  EXPECT_EQ(e.state().redoes, Edit::stroke);
+  EXPECT_EQ(e.undo(), Edit::stroke);
+  EXPECT_EQ(e.bytes(), empty);
+  EXPECT_EQ(e.undo(), Edit::none);
+  EXPECT_EQ(e.redo(), Edit::stroke);
+  EXPECT_EQ(e.redo(), Edit::stroke);
+  EXPECT_EQ(e.bytes(), two);
+  EXPECT_EQ(e.state().strokes, 2);
+  EXPECT_EQ(e.redo(), Edit::none);
+}
+
+TEST(SheetEditor, ANewStrokeEndsWhatCouldBeRedone) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  e.undo();
+  line(e, {0, -0.03}, {0, 0.03});
+  EXPECT_EQ(e.state().redoes, Edit::none);
+  EXPECT_EQ(e.redo(), Edit::none);
+}
+
+TEST(SheetEditor, UndoEndsAStrokeThatIsUnderWayAndTakesAllOfIt) {
+  SheetEditor e = editor();
+  const auto empty = e.bytes();
+  brush::PenSample sample;
+  sample.pressure = 0.6;
+  e.move_pen(sample);
+  sample.at.x = 0.01;
+  sample.time_s = 0.1;
+  e.move_pen(sample);
+  EXPECT_TRUE(e.state().is_writing);
+  EXPECT_EQ(e.undo(), Edit::stroke);
+  EXPECT_FALSE(e.state().is_writing);
+  EXPECT_EQ(e.bytes(), empty);
+}
+
+TEST(SheetEditor, DryingCanBeUndone) {
+  SheetEditor e = editor();
+  EXPECT_FALSE(e.dry_now());
+  EXPECT_EQ(e.state().undoes, Edit::none);
+  line(e, {-0.03, 0}, {0.03, 0});
+  const auto wet = e.bytes();
+  EXPECT_TRUE(e.dry_now());
+  EXPECT_FALSE(e.state().is_wet);
+  EXPECT_EQ(e.state().strokes, 1);
+  EXPECT_EQ(e.state().undoes, Edit::drying);
+  EXPECT_EQ(e.undo(), Edit::drying);
+  EXPECT_EQ(e.bytes(), wet);
+  EXPECT_EQ(e.redo(), Edit::drying);
+  EXPECT_FALSE(e.state().is_wet);
+}
+
+TEST(SheetEditor, MoreStrokesThanCanBeUndoneStayOnThePaper) {
+  SheetEditor e = editor();
+  constexpr int kMany = static_cast<int>(paint::History::kStrokes) + 3;
+  for (int i = 0; i < kMany; ++i) line(e, {0, 0}, {0.002, 0}, 0.2, 0.02);
+  int undone = 0;
+  while (e.undo() == Edit::stroke) ++undone;
+  EXPECT_EQ(undone, static_cast<int>(paint::History::kStrokes));
+  EXPECT_EQ(e.state().strokes, 3);
+}
+
+TEST(SheetEditor, ANewSheetIsEmptyAndUndoBringsTheOldOneBack) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  e.dip_in_water();
+  const auto old = e.bytes();
+  const double strength = e.state().strength;
+  ASSERT_TRUE(e.take_new_sheet("gasenshi"));
+  EXPECT_EQ(e.state().strokes, 0);
+  EXPECT_EQ(e.state().paper, "gasenshi");
+  EXPECT_EQ(e.state().undoes, Edit::new_sheet);
+  EXPECT_TRUE(e.state().is_saved);
+  EXPECT_EQ(test::painted_cells(e), 0);
+  // The brush is the same.
+  EXPECT_EQ(e.state().strength, strength);
+  line(e, {0, -0.03}, {0, 0.03});
+  const auto next = e.bytes();
+  EXPECT_EQ(e.undo(), Edit::stroke);
+  EXPECT_EQ(e.undo(), Edit::new_sheet);
+  EXPECT_EQ(e.bytes(), old);
+  EXPECT_EQ(e.state().strokes, 1);
+  EXPECT_EQ(e.state().redoes, Edit::new_sheet);
+  EXPECT_FALSE(e.state().is_saved);
+  EXPECT_EQ(e.redo(), Edit::new_sheet);
+  EXPECT_EQ(e.redo(), Edit::stroke);
+  EXPECT_EQ(e.bytes(), next);
+}
+
+TEST(SheetEditor, ANewSheetEndsWhatCouldBeRedoneOnTheOldOne) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  e.undo();
+  ASSERT_TRUE(e.take_new_sheet("board"));
+  EXPECT_EQ(e.undo(), Edit::new_sheet);
+  // Next is the new sheet again, not the stroke from before it.
+  EXPECT_EQ(e.redo(), Edit::new_sheet);
+  EXPECT_EQ(e.state().paper, "board");
+  e.undo();
+  line(e, {-0.03, 0}, {0.03, 0});
+  EXPECT_EQ(e.redo(), Edit::none);
+}
+
+TEST(SheetEditor, OnlySoManySheetsAreKept) {
+  SheetEditor e = editor();
+  for (const char* paper : {"gasenshi", "board", "gasenshi-slow"}) ASSERT_TRUE(e.take_new_sheet(paper));
+  EXPECT_EQ(e.undo(), Edit::new_sheet);
+  EXPECT_EQ(e.undo(), Edit::new_sheet);
+  EXPECT_EQ(e.state().paper, "gasenshi");
+  EXPECT_EQ(e.undo(), Edit::none);
+}
+
+TEST(SheetEditor, InksStandSideBySideInTheirOwnColours) {
+  SheetEditor e = editor();
+  for (const auto ink : {"vermilion", "sumi-blue", "sumi"}) {
+    ASSERT_TRUE(e.set_ink(ink)) << ink;
+    EXPECT_EQ(e.state().ink, ink);
+    EXPECT_EQ(e.state().fullness, 1);
+    EXPECT_NEAR(e.state().strength, 1, 1e-9);
+  }
+  ASSERT_TRUE(e.set_ink("vermilion"));
+  line(e, {-0.03, 0}, {0.03, 0});
+  std::vector<int> changed;
+  const auto& picture = e.picture(changed);
+  const std::size_t at = 3 * (static_cast<std::size_t>(e.sheet().size()) * e.sheet().size() / 2 + e.sheet().size() / 2);
+  EXPECT_GT(picture.rgb[at], picture.rgb[at + 2] + 60);
+}
+
+TEST(SheetEditor, AFourthInkTakesADrySlotAndIsRefusedWhereAllAreWet) {
+  SheetEditor e = editor();
+  EXPECT_EQ(e.set_ink("green").error().code, base::Errc::not_found);
+  EXPECT_EQ(e.state().ink, "sumi");
+  const auto write = [&](const char* ink, double y) {
+    ASSERT_TRUE(e.set_ink(ink));
+    line(e, {-0.03, y}, {0.03, y});
+  };
+  write("sumi", 0.03);
+  write("vermilion", 0);
+  write("sumi-blue", -0.03);
+  const auto refused = e.set_ink("sumi-brown");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, base::Errc::in_use);
+  EXPECT_EQ(e.state().ink, "sumi-blue");
+  e.dry_now();
+  EXPECT_TRUE(e.set_ink("sumi-brown"));
+  EXPECT_EQ(e.state().ink, "sumi-brown");
+  // The inks that were there are undone to, with the ink of that time.
+  EXPECT_EQ(e.undo(), Edit::drying);
+  EXPECT_EQ(e.state().ink, "sumi-blue");
+}
+
+TEST(SheetEditor, WaterLeavesNoPigment) {
+  SheetEditor e = editor();
+  ASSERT_TRUE(e.set_ink(kWater));
+  line(e, {-0.03, 0}, {0.03, 0});
+  EXPECT_TRUE(e.state().is_wet);
+  EXPECT_EQ(test::painted_cells(e), 0);
+  EXPECT_EQ(e.state().strength, 0);
+}
+
+TEST(SheetEditor, PaperForWaterComesWithWaterAndOtherPaperWithInkAgain) {
+  SheetEditor e = editor();
+  ASSERT_TRUE(e.take_new_sheet("water"));
+  EXPECT_EQ(e.state().ink, "water");
+  ASSERT_TRUE(e.take_new_sheet("hanshi"));
+  EXPECT_EQ(e.state().ink, "sumi");
+  EXPECT_NEAR(e.state().strength, 1, 1e-9);
+  e.undo();
+  EXPECT_EQ(e.state().ink, "water");
+  EXPECT_EQ(e.state().strength, 0);
+  EXPECT_EQ(SheetEditor::create("water", 128)->state().ink, "water");
+  // Who chose water for other paper keeps it.
+  SheetEditor other = editor();
+  ASSERT_TRUE(other.set_ink(kWater));
+  ASSERT_TRUE(other.take_new_sheet("board"));
+  EXPECT_EQ(other.state().ink, "water");
+}
+
+TEST(SheetEditor, AnotherBrushKeepsItsInkAndWritesAsBroadAsItIs) {
+  const auto cells = [](BrushSize size) {
+    SheetEditor e = editor();
+    e.dip_in_water();
+    e.wipe();
+    e.set_brush({size, brush::Hair::mixed});
+    EXPECT_NEAR(e.state().fullness, 0.5, 1e-6);
+    EXPECT_NEAR(e.state().strength, 0.5, 1e-6);
+    EXPECT_EQ(e.state().brush.size, size);
+    e.dip_in_ink();
+    EXPECT_EQ(e.state().fullness, 1);
+    line(e, {-0.03, 0}, {0.03, 0});
+    return test::painted_cells(e);
+  };
+  EXPECT_GT(cells(BrushSize::medium), 1.3 * cells(BrushSize::fine));
+}
+
+TEST(SheetEditor, UndoAfterAnotherBrushFitsItsInkToThisOne) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  e.set_brush({BrushSize::fine, brush::Hair::goat});
+  e.undo();
+  e.dip_in_water();
+  EXPECT_EQ(e.load().capacity, paint::dipped(form_of({BrushSize::fine, brush::Hair::goat}).holds_m3, 0, {}, {}).capacity);
+  EXPECT_EQ(e.state().fullness, 1);
+}
+
+TEST(SheetEditor, TheBrushIsWhereThePenWasAndTouchesWhileItWrites) {
+  SheetEditor e = editor();
+  brush::PenSample sample;
+  sample.pressure = 0.6;
+  sample.at = {0.01, 0.02};
+  e.move_pen(sample);
+  sample.time_s = 0.2;
+  sample.at.x = 0.012;
+  e.move_pen(sample);
+  const BrushShape shape = e.brush_shape();
+  EXPECT_EQ(shape.pen.x, 0.012);
+  EXPECT_TRUE(shape.touches);
+  EXPECT_EQ(shape.sections.size(), 7U);
+  EXPECT_NEAR(shape.shaft_m, 0.0085, 1e-9);
+  e.lift_pen();
+  EXPECT_FALSE(e.brush_shape().touches);
+}
+
+TEST(SheetEditor, OnlyTilesThatChangedAreReported) {
+  SheetEditor e = editor();
+  std::vector<int> changed;
+  e.picture(changed);
+  EXPECT_EQ(changed.size(), 16U);  // of 32 cells in 128
+  e.picture(changed);
+  EXPECT_TRUE(changed.empty());
+  line(e, {-0.03, 0.03}, {-0.025, 0.03}, 0.2);
+  e.picture(changed);
+  EXPECT_FALSE(changed.empty());
+  EXPECT_LT(changed.size(), 9U);
+  ASSERT_TRUE(e.take_new_sheet("hanshi"));
+  e.picture(changed);
+  EXPECT_EQ(changed.size(), 16U);
+  e.undo();
+  e.picture(changed);
+  EXPECT_EQ(changed.size(), 16U);
+}
+
+TEST(SheetEditor, InkIsCarvedAsAGroove) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  const auto tablet = e.carve();
+  ASSERT_TRUE(tablet);
+  const auto& map = (*tablet)->height_map();
+  ASSERT_EQ(map.size(), 128);
+  EXPECT_LT(map.at(64, 64), 0.75F);
+  EXPECT_GE(map.at(64, 64), 0.0F);
+  EXPECT_EQ(map.at(64, 10), 1.0F);
+}
+
+TEST_F(EditorFiles, ASavedSheetOpensToTheSameBytes) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  for (int i = 0; i < 5; ++i) e.step();
+  const auto bytes = e.bytes();
+  const fs::path path = folder_ / "one.nzs";
+  ASSERT_TRUE(e.save(path));
+  EXPECT_TRUE(e.state().is_saved);
+  EXPECT_EQ(base::read_file(path, 1U << 26U).value(), bytes);
+
+  SheetEditor other = editor();
+  ASSERT_TRUE(other.open(path));
+  EXPECT_EQ(other.bytes(), bytes);
+  EXPECT_TRUE(other.state().is_saved);
+  EXPECT_EQ(other.state().strokes, 0);
+  EXPECT_EQ(other.state().undoes, Edit::new_sheet);
+  EXPECT_EQ(other.undo(), Edit::new_sheet);
+  EXPECT_EQ(test::painted_cells(other), 0);
+}
+
+TEST_F(EditorFiles, WhatWasSavedIsSavedAgainAfterUndoAndRedo) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  ASSERT_TRUE(e.save(folder_ / "one.nzs"));
+  line(e, {0, -0.03}, {0, 0.03});
+  EXPECT_FALSE(e.state().is_saved);
+  e.undo();
+  EXPECT_TRUE(e.state().is_saved);
+  e.undo();
+  EXPECT_FALSE(e.state().is_saved);
+  e.redo();
+  EXPECT_TRUE(e.state().is_saved);
+  // Another stroke in the place of the one that was undone is not what the file has.
+  e.undo();
+  line(e, {0, -0.03}, {0, 0.03});
+  EXPECT_FALSE(e.state().is_saved);
+}
+
+TEST_F(EditorFiles, WhatCannotBeReadOrWrittenChangesNothing) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  const auto bytes = e.bytes();
+  EXPECT_FALSE(e.open(folder_ / "missing.nzs"));
+  EXPECT_FALSE(e.save(folder_ / "no folder" / "one.nzs"));
+  EXPECT_FALSE(e.save_png(folder_ / "no folder" / "one.png"));
+  EXPECT_FALSE(e.state().is_saved);
+  EXPECT_EQ(e.bytes(), bytes);
+  EXPECT_EQ(e.state().undoes, Edit::stroke);
+}
+
+TEST_F(EditorFiles, APictureIsAPngAndIsNoSavedSheet) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  ASSERT_TRUE(e.save_png(folder_ / "one.png"));
+  const auto png = base::read_file(folder_ / "one.png", 1U << 26U).value();
+  ASSERT_GT(png.size(), 100U);
+  EXPECT_EQ(std::string(png.begin() + 1, png.begin() + 4), "PNG");
+  EXPECT_FALSE(e.state().is_saved);
+  std::vector<int> changed;
+  e.picture(changed);
+  EXPECT_EQ(changed.size(), 16U);
+}
+
+TEST_F(EditorFiles, AnInkThatASheetFromAFileDoesNotHaveGivesWayToItsFirstOne) {
+  auto sheet = paint::Sheet::create(128, {},
+                                    {paint::find_pigment("white").value(), paint::find_pigment("indian-red").value(),
+                                     paint::find_pigment("burnt-umber").value()})
+                   .value();
+  ASSERT_TRUE(paint::save_sheet(sheet, paint::dipped(1e-6, 0.3, {1, 0, 0}, {1, 0, 0}), folder_ / "other.nzs"));
+  SheetEditor e = editor();
+  ASSERT_TRUE(e.open(folder_ / "other.nzs"));
+  EXPECT_EQ(e.state().ink, "white");
+  EXPECT_NEAR(e.state().fullness, 0.3, 1e-6);
+  EXPECT_TRUE(e.set_ink("sumi"));
+  e.undo();
+  EXPECT_EQ(e.state().ink, "sumi");
+}
+
+}  // namespace
+}  // namespace nazori::calligraphy
