@@ -32,9 +32,9 @@ struct BrushWriting::Work {
       tile.column = number % a_side * PictureTile::kSide;
       tile.row = number / a_side * PictureTile::kSide;
       for (std::size_t y = 0; y < kSide; ++y) {
-        const std::size_t from = 3 * ((static_cast<std::size_t>(tile.row) + y) *
-                                          static_cast<std::size_t>(picture.width) +
-                                      static_cast<std::size_t>(tile.column));
+        const std::size_t from =
+            3 * ((static_cast<std::size_t>(tile.row) + y) * static_cast<std::size_t>(picture.width) +
+                 static_cast<std::size_t>(tile.column));
         std::copy_n(picture.rgb.begin() + static_cast<std::ptrdiff_t>(from), 3 * kSide,
                     tile.rgb.begin() + static_cast<std::ptrdiff_t>(3 * kSide * y));
       }

@@ -154,7 +154,8 @@ TEST_F(BrushWritingTest, TheSameTimeInOnePieceOrManyIsTheSameSheet) {
   bool saved = false;
   other.done.connect([&](const Outcome&) { saved = true; });
   inbox_.run_until([&] { return saved && !outcomes_.empty(); });
-  EXPECT_EQ(base::read_file(path / "a.nzs", 1U << 26U).value(), base::read_file(path / "b.nzs", 1U << 26U).value());
+  EXPECT_EQ(base::read_file(path / "a.nzs", 1U << 26U).value(),
+            base::read_file(path / "b.nzs", 1U << 26U).value());
   fs::remove_all(path);
 }
 

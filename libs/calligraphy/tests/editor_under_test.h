@@ -30,7 +30,8 @@ inline void line(SheetEditor& e, geometry::PaperPoint from, geometry::PaperPoint
 inline bool is_painted(const SheetEditor& e, int column, int row) {
   const paint::Cell cell = e.sheet().at(column, row);
   paint::TotalAmount pigment = cell.covered;
-  for (std::size_t k = 0; k < paint::kSlots; ++k) pigment += paint::TotalAmount{cell.moving[k]} + cell.fixed[k];
+  for (std::size_t k = 0; k < paint::kSlots; ++k)
+    pigment += paint::TotalAmount{cell.moving[k]} + cell.fixed[k];
   return pigment > paint::kOne / 50;
 }
 

@@ -75,7 +75,8 @@ kanji::StrokeLine level(kanji::StrokeEnding ending) {
 
 /// Half the width at a share of the stroke's points.
 double width_at(const ModelStroke& stroke, double share) {
-  return stroke.half_width_m[static_cast<std::size_t>(share * static_cast<double>(stroke.half_width_m.size() - 1))];
+  return stroke
+      .half_width_m[static_cast<std::size_t>(share * static_cast<double>(stroke.half_width_m.size() - 1))];
 }
 
 TEST(ModelStrokes, StandInTheirSquareUpright) {

@@ -88,7 +88,8 @@ TEST(SheetEditor, MorePressureMakesABroaderLine) {
     SheetEditor e = editor();
     line(e, {-0.03, 0}, {0.03, 0}, pressure);
     int cells = 0;
-    for (int row = 0; row < e.sheet().size(); ++row) cells += test::is_painted(e, e.sheet().size() / 2, row) ? 1 : 0;
+    for (int row = 0; row < e.sheet().size(); ++row)
+      cells += test::is_painted(e, e.sheet().size() / 2, row) ? 1 : 0;
     return cells;
   };
   EXPECT_GT(width(0.8), 1.3 * width(0.25));
@@ -269,7 +270,8 @@ TEST(SheetEditor, InksStandSideBySideInTheirOwnColours) {
   line(e, {-0.03, 0}, {0.03, 0});
   std::vector<int> changed;
   const auto& picture = e.picture(changed);
-  const std::size_t at = 3 * (static_cast<std::size_t>(e.sheet().size()) * e.sheet().size() / 2 + e.sheet().size() / 2);
+  const std::size_t at =
+      3 * (static_cast<std::size_t>(e.sheet().size()) * e.sheet().size() / 2 + e.sheet().size() / 2);
   EXPECT_GT(picture.rgb[at], picture.rgb[at + 2] + 60);
 }
 
@@ -346,7 +348,8 @@ TEST(SheetEditor, UndoAfterAnotherBrushFitsItsInkToThisOne) {
   e.set_brush({BrushSize::fine, brush::Hair::goat});
   e.undo();
   e.dip_in_water();
-  EXPECT_EQ(e.load().capacity, paint::dipped(form_of({BrushSize::fine, brush::Hair::goat}).holds_m3, 0, {}, {}).capacity);
+  EXPECT_EQ(e.load().capacity,
+            paint::dipped(form_of({BrushSize::fine, brush::Hair::goat}).holds_m3, 0, {}, {}).capacity);
   EXPECT_EQ(e.state().fullness, 1);
 }
 
@@ -463,11 +466,13 @@ TEST_F(EditorFiles, APictureIsAPngAndIsNoSavedSheet) {
 }
 
 TEST_F(EditorFiles, AnInkThatASheetFromAFileDoesNotHaveGivesWayToItsFirstOne) {
-  auto sheet = paint::Sheet::create(128, {},
-                                    {paint::find_pigment("white").value(), paint::find_pigment("indian-red").value(),
-                                     paint::find_pigment("burnt-umber").value()})
-                   .value();
-  ASSERT_TRUE(paint::save_sheet(sheet, paint::dipped(1e-6, 0.3, {1, 0, 0}, {1, 0, 0}), folder_ / "other.nzs"));
+  auto sheet =
+      paint::Sheet::create(128, {},
+                           {paint::find_pigment("white").value(), paint::find_pigment("indian-red").value(),
+                            paint::find_pigment("burnt-umber").value()})
+          .value();
+  ASSERT_TRUE(
+      paint::save_sheet(sheet, paint::dipped(1e-6, 0.3, {1, 0, 0}, {1, 0, 0}), folder_ / "other.nzs"));
   SheetEditor e = editor();
   ASSERT_TRUE(e.open(folder_ / "other.nzs"));
   EXPECT_EQ(e.state().ink, "white");

@@ -49,7 +49,8 @@ void BrushPage::connect_actions() {
   on(actions_->thinner, [resize] { resize(1); });
   on(actions_->next_hair, [this] {
     calligraphy::BrushChoice brush = choice_.brush;
-    brush.hair = static_cast<brush::Hair>((static_cast<std::size_t>(brush.hair) + 1) % calligraphy::kHairs.size());
+    brush.hair =
+        static_cast<brush::Hair>((static_cast<std::size_t>(brush.hair) + 1) % calligraphy::kHairs.size());
     choose_brush(brush);
   });
   on(actions_->next_ink, [this] {
@@ -102,9 +103,11 @@ void BrushPage::connect_panel() {
   connect(panel_, &BrushToolsPanel::size_chosen, this, [this](calligraphy::BrushSize size) {
     choose_brush({size, choice_.brush.hair});
   });
-  connect(panel_, &BrushToolsPanel::hair_chosen, this,
-          [this](brush::Hair hair) { choose_brush({choice_.brush.size, hair}); });
-  connect(panel_, &BrushToolsPanel::ink_chosen, this, [this](const QString& ink) { choose_ink(ink.toStdString()); });
+  connect(panel_, &BrushToolsPanel::hair_chosen, this, [this](brush::Hair hair) {
+    choose_brush({choice_.brush.size, hair});
+  });
+  connect(panel_, &BrushToolsPanel::ink_chosen, this,
+          [this](const QString& ink) { choose_ink(ink.toStdString()); });
   connect(panel_, &BrushToolsPanel::paper_chosen, this,
           [this](const QString& paper) { choose_paper(paper.toStdString()); });
   connect(panel_, &BrushToolsPanel::ruling_chosen, this, &BrushPage::choose_ruling);
@@ -142,7 +145,8 @@ void BrushPage::set_handling() {
 void BrushPage::choose_brush(const calligraphy::BrushChoice& brush) {
   choice_.brush = brush;
   writing_->set_brush(brush);
-  parts().respond(Feedback::hint, tr("Brush: %1, %2.").arg(brush_size_name(brush.size), hair_name(brush.hair)));
+  parts().respond(Feedback::hint,
+                  tr("Brush: %1, %2.").arg(brush_size_name(brush.size), hair_name(brush.hair)));
   parts().save_later();
   wake();
 }

@@ -42,7 +42,8 @@ Ribbon ribbon_of(const calligraphy::BrushShape& brush, QPointF pen, double per_m
     ribbon.middle.push_back(pen + (flat + lift * section.z_m) * per_m);
   }
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    const QPointF along = ribbon.middle[std::min(i + 1, sections.size() - 1)] - ribbon.middle[i > 0 ? i - 1 : 0];
+    const QPointF along =
+        ribbon.middle[std::min(i + 1, sections.size() - 1)] - ribbon.middle[i > 0 ? i - 1 : 0];
     const double length = std::max(std::hypot(along.x(), along.y()), 1e-6);
     const QPointF across = QPointF(-along.y(), along.x()) / length * (sections[i].half_width_m * per_m);
     ribbon.left.push_back(ribbon.middle[i] + across);
@@ -55,7 +56,8 @@ QPointF rise(bool left_hand) { return left_hand ? QPointF(-kRise.x(), kRise.y())
 
 }  // namespace
 
-void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, QPointF pen, double per_m, bool left_hand) {
+void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, QPointF pen, double per_m,
+                 bool left_hand) {
   if (brush.sections.size() < 2) return;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -27,7 +27,8 @@ struct SheetPlace {
 /// The brush as it is seen from above at an angle: its hair as it is bent and spread, the shaft, and the
 /// shadow of both on the paper.
 /// @param pen  where it is now. @param left_hand  the shaft stands to the left.
-void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, QPointF pen, double per_m, bool left_hand);
+void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, QPointF pen, double per_m,
+                 bool left_hand);
 /// What paint_brush() covers at most.
 [[nodiscard]] QRectF brush_bounds(const calligraphy::BrushShape& brush, QPointF pen, double per_m);
 

@@ -38,7 +38,8 @@ void BrushPage::show_outcome(const Outcome& outcome) {
         return parts().announce(Feedback::wrong, tr("Could not save %1: %2.").arg(file, why));
       case Task::ink:
         choice_.ink = state.ink;
-        return parts().announce(Feedback::advice, tr("The sheet is still wet with other inks. D: dry it now."));
+        return parts().announce(Feedback::advice,
+                                tr("The sheet is still wet with other inks. D: dry it now."));
       default:
         return parts().announce(Feedback::wrong, tr("This is not possible: %1.").arg(why));
     }
@@ -82,7 +83,8 @@ void BrushPage::show_outcome(const Outcome& outcome) {
 }
 
 void BrushPage::show_tablet(const Outcome& outcome) {
-  parts().workshop().show({outcome.tablet, tr("Brush sheet").toStdString(), outcome.tablet->height_map().size(), false});
+  parts().workshop().show(
+      {outcome.tablet, tr("Brush sheet").toStdString(), outcome.tablet->height_map().size(), false});
 }
 
 bool BrushPage::opens(const QStringList& paths) const {
@@ -96,8 +98,9 @@ void BrushPage::open_files(const QStringList& paths) {
 }
 
 void BrushPage::ask_and_open() {
-  const QString path = QFileDialog::getOpenFileName(&parts().window(), tr("Open a sheet"),
-                                                    parts().preferences().start_folder(), tr("Sheet of paper (*.nzs)"));
+  const QString path =
+      QFileDialog::getOpenFileName(&parts().window(), tr("Open a sheet"),
+                                   parts().preferences().start_folder(), tr("Sheet of paper (*.nzs)"));
   if (path.isEmpty()) return;
   parts().preferences().folder = QFileInfo(path).absolutePath();
   open_files({path});
@@ -135,8 +138,9 @@ void BrushPage::write(const QString& path) {
 
 bool BrushPage::may_close(bool quits) {
   if (!writing_ || writing_->state().is_saved || writing_->state().strokes == 0) return true;
-  QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"), tr("The sheet with your brush writing is not saved."),
-                  QMessageBox::NoButton, &parts().window());
+  QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),
+                  tr("The sheet with your brush writing is not saved."), QMessageBox::NoButton,
+                  &parts().window());
   box.setObjectName(QStringLiteral("unsaved_sheet_box"));
   auto* keep = box.addButton(tr("Save…"), QMessageBox::AcceptRole);
   auto* discard = box.addButton(tr("Do not save"), QMessageBox::DestructiveRole);

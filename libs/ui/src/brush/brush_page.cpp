@@ -36,11 +36,8 @@ Value after(const Values& values, const Value& value) {
 }  // namespace
 
 BrushPage::BrushPage(WindowParts& parts)
-    : Page(parts, {QStringLiteral("brush"),
-                   tr("&Brush"),
-                   tr("Write with brush and ink on paper"),
-                   Icon::brush,
-                   {}}),
+    : Page(parts,
+           {QStringLiteral("brush"), tr("&Brush"), tr("Write with brush and ink on paper"), Icon::brush, {}}),
       actions_(new BrushActions(&parts.window())),
       widget_(named(new QWidget(&parts.window()), "brush_page")),
       paper_(new PaperView(widget_)),
@@ -73,9 +70,17 @@ QWidget* BrushPage::instead_of_tablet() const { return widget_; }
 ActionSet* BrushPage::actions() const { return actions_; }
 
 QList<Tool> BrushPage::tools() const {
-  return {{actions_->dip_in_ink, true}, {actions_->dip_in_water, true}, {actions_->wipe, true}, {},
-          {actions_->undo, true},       {actions_->redo, true},         {},                     {actions_->dry, true},
-          {actions_->new_sheet, true},  {},                             {actions_->tools}};
+  return {{actions_->dip_in_ink, true},
+          {actions_->dip_in_water, true},
+          {actions_->wipe, true},
+          {},
+          {actions_->undo, true},
+          {actions_->redo, true},
+          {},
+          {actions_->dry, true},
+          {actions_->new_sheet, true},
+          {},
+          {actions_->tools}};
 }
 
 void BrushPage::load(const QSettings& settings) {
@@ -109,8 +114,10 @@ void BrushPage::save(QSettings& settings) const {
   auto values = read_settings(settings);
   values.insert_or_assign("paper", choice_.paper);
   values.insert_or_assign("ink", choice_.ink);
-  values.insert_or_assign("size", std::string(calligraphy::kBrushSizes[static_cast<std::size_t>(choice_.brush.size)]));
-  values.insert_or_assign("hair", std::string(calligraphy::kHairs[static_cast<std::size_t>(choice_.brush.hair)]));
+  values.insert_or_assign(
+      "size", std::string(calligraphy::kBrushSizes[static_cast<std::size_t>(choice_.brush.size)]));
+  values.insert_or_assign("hair",
+                          std::string(calligraphy::kHairs[static_cast<std::size_t>(choice_.brush.hair)]));
   base::set_number(values, "ruling", choice_.ruling);
   values.insert_or_assign("model", std::string(kPlaces[static_cast<std::size_t>(choice_.place)]));
   values.insert_or_assign("text", choice_.text.toStdString());
@@ -128,8 +135,9 @@ void BrushPage::enter() {
   choose_ruling(choice_.ruling);
   request_model();
   parts().note_opened();
-  parts().announce(Feedback::hint, tr("Write on the sheet with mouse, pen or finger. I: ink. W: water. S: what is "
-                                      "on the sheet."));
+  parts().announce(Feedback::hint,
+                   tr("Write on the sheet with mouse, pen or finger. I: ink. W: water. S: what is "
+                      "on the sheet."));
   wake();
 }
 
@@ -190,10 +198,12 @@ std::vector<char32_t> BrushPage::models() const {
 }
 
 void BrushPage::request_model() {
-  if (const auto& sheet = parts().practice().sheet()) strokes_[sheet->character.code_point] = sheet->character.lines();
+  if (const auto& sheet = parts().practice().sheet())
+    strokes_[sheet->character.code_point] = sheet->character.lines();
   std::vector<char32_t> missing;
   for (const char32_t c : models())
-    if (!strokes_.contains(c) && std::find(missing.begin(), missing.end(), c) == missing.end()) missing.push_back(c);
+    if (!strokes_.contains(c) && std::find(missing.begin(), missing.end(), c) == missing.end())
+      missing.push_back(c);
   if (!missing.empty()) parts().library().request_characters(missing);
   show_model();
 }
@@ -207,7 +217,8 @@ void BrushPage::show_model() {
   for (std::size_t i = 0; i < characters.size() && i < squares.size(); ++i) {
     const auto strokes = strokes_.find(characters[i]);
     if (strokes == strokes_.end()) continue;
-    for (auto& stroke : calligraphy::model_strokes(strokes->second, squares[i])) all.push_back(std::move(stroke));
+    for (auto& stroke : calligraphy::model_strokes(strokes->second, squares[i]))
+      all.push_back(std::move(stroke));
   }
   paper_->show_model(std::move(all), choice_.place);
   panel_->show_model_words(model_words());
@@ -218,8 +229,8 @@ QString BrushPage::model_words() const {
   if (choice_.place == ModelPlace::none) return tr("No model.");
   QString text;
   for (const char32_t c : models()) text += to_text(c);
-  const QString words =
-      choice_.place == ModelPlace::beneath ? tr("Model beneath: %1.").arg(text) : tr("Model beside: %1.").arg(text);
+  const QString words = choice_.place == ModelPlace::beneath ? tr("Model beneath: %1.").arg(text)
+                                                             : tr("Model beside: %1.").arg(text);
   const int sheets = calligraphy::sheets_of(model_text(), std::max(choice_.ruling, 1));
   if (sheets <= 1) return words;
   const int at = ((part_ % sheets) + sheets) % sheets;
@@ -228,7 +239,8 @@ QString BrushPage::model_words() const {
 
 QString BrushPage::sheet_words() const {
   const auto& state = writing_->state();
-  return QStringList{paper_words(state), paper_name(state.paper) + QLatin1Char('.'), model_words(), brush_words(state)}
+  return QStringList{paper_words(state), paper_name(state.paper) + QLatin1Char('.'), model_words(),
+                     brush_words(state)}
       .join(QLatin1Char(' '));
 }
 

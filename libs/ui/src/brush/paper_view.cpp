@@ -45,8 +45,8 @@ QPainterPath filled(const calligraphy::ModelStroke& stroke, const SheetPlace& pl
   return path;
 }
 
-void fill_model(QPainter& painter, const std::vector<calligraphy::ModelStroke>& strokes, const SheetPlace& place,
-                const QColor& colour) {
+void fill_model(QPainter& painter, const std::vector<calligraphy::ModelStroke>& strokes,
+                const SheetPlace& place, const QColor& colour) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
@@ -93,7 +93,8 @@ void PaperView::show_frame(const calligraphy::BrushFrame& frame) {
   if (!changed.isEmpty()) {
     draw_scaled(changed);
     const double per_cell = place_.rect.width() / picture_.width();
-    update(QRectF(place_.rect.topLeft() + QPointF(changed.topLeft()) * per_cell, QSizeF(changed.size()) * per_cell)
+    update(QRectF(place_.rect.topLeft() + QPointF(changed.topLeft()) * per_cell,
+                  QSizeF(changed.size()) * per_cell)
                .toAlignedRect()
                .adjusted(-2, -2, 2, 2));
   }
@@ -143,7 +144,8 @@ void PaperView::lay_out() {
     place_.rect = QRectF(room.center().x() - side / 2, room.center().y() - side / 2, side, side);
   }
   // Whole pixels, so that the parts of the picture meet without seams.
-  place_.rect = QRectF(place_.rect.topLeft().toPoint(), QSizeF(std::max(std::floor(side), 1.0), std::max(std::floor(side), 1.0)));
+  place_.rect = QRectF(place_.rect.topLeft().toPoint(),
+                       QSizeF(std::max(std::floor(side), 1.0), std::max(std::floor(side), 1.0)));
   const int pixels = std::max(static_cast<int>(place_.rect.width() * devicePixelRatioF()), 1);
   scaled_ = QImage(pixels, pixels, QImage::Format_RGB32);
   draw_scaled(picture_.rect());
@@ -164,7 +166,8 @@ void PaperView::draw_scaled(const QRect& pixels) {
   QPainter painter(&scaled_);
   painter.setClipRect(to);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(QRectF(wide), picture_, QRectF(QPointF(wide.topLeft()) / scale, QSizeF(wide.size()) / scale));
+  painter.drawImage(QRectF(wide), picture_,
+                    QRectF(QPointF(wide.topLeft()) / scale, QSizeF(wide.size()) / scale));
 }
 
 void PaperView::draw_guides() {

@@ -72,10 +72,10 @@ class PaperView final : public QWidget {
   void update_brush();
 
   SheetPlace place_;
-  QRectF beside_;    ///< where the model stands beside the sheet
-  QImage picture_;   ///< a pixel for each cell
-  QImage scaled_;    ///< the same in pixels of the screen
-  QImage guides_;    ///< model and ruling, multiplied with the sheet
+  QRectF beside_;   ///< where the model stands beside the sheet
+  QImage picture_;  ///< a pixel for each cell
+  QImage scaled_;   ///< the same in pixels of the screen
+  QImage guides_;   ///< model and ruling, multiplied with the sheet
   std::vector<calligraphy::ModelStroke> model_;
   std::vector<calligraphy::RuledSquare> squares_;
   ModelPlace model_place_ = ModelPlace::beneath;

@@ -21,7 +21,8 @@ void PaperView::write(QPointF at, bool down, std::uint64_t event_ms, const calli
   // Above the paper only the picture of the brush moves.
   if (!down && !was_down) return;
   brush::PenSample sample;
-  sample.time_s = static_cast<double>(event_ms != 0 ? event_ms : static_cast<std::uint64_t>(clock_.elapsed())) / 1000;
+  sample.time_s =
+      static_cast<double>(event_ms != 0 ? event_ms : static_cast<std::uint64_t>(clock_.elapsed())) / 1000;
   sample.at = place_.to_paper(at);
   sample.down = down;
   sample.pressure = pressure;
@@ -58,12 +59,15 @@ void PaperView::tabletEvent(QTabletEvent* event) {
   bool down = down_;
   if (is_tip && event->type() == QEvent::TabletPress) down = place_.rect.contains(event->position());
   if (is_tip && event->type() == QEvent::TabletRelease) down = false;
-  const auto has = [event](QInputDevice::Capability what) { return event->pointingDevice()->hasCapability(what); };
+  const auto has = [event](QInputDevice::Capability what) {
+    return event->pointingDevice()->hasCapability(what);
+  };
   const auto tilt = has(QInputDevice::Capability::XTilt)
                         ? calligraphy::holder_tilt(event->xTilt(), event->yTilt(), left_hand_)
                         : calligraphy::assumed_tilt(left_hand_);
   // Qt counts the rotation clockwise.
-  const double turned = has(QInputDevice::Capability::Rotation) ? event->rotation() * std::numbers::pi / 180 : 0;
+  const double turned =
+      has(QInputDevice::Capability::Rotation) ? event->rotation() * std::numbers::pi / 180 : 0;
   std::optional<double> pressure;
   if (has(QInputDevice::Capability::Pressure)) pressure = event->pressure();
   write(event->position(), down, event->timestamp(), tilt, pressure, left_hand_ ? turned : -turned);

@@ -161,8 +161,10 @@ BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
   connect(hair_, &QComboBox::activated, this,
           [this] { emit hair_chosen(static_cast<brush::Hair>(hair_->currentData().toInt())); });
   connect(ink_, &QComboBox::activated, this, [this] { emit ink_chosen(ink_->currentData().toString()); });
-  connect(paper_, &QComboBox::activated, this, [this] { emit paper_chosen(paper_->currentData().toString()); });
-  connect(ruling_, &QComboBox::activated, this, [this] { emit ruling_chosen(ruling_->currentData().toInt()); });
+  connect(paper_, &QComboBox::activated, this,
+          [this] { emit paper_chosen(paper_->currentData().toString()); });
+  connect(ruling_, &QComboBox::activated, this,
+          [this] { emit ruling_chosen(ruling_->currentData().toInt()); });
   connect(place_, &QComboBox::activated, this,
           [this] { emit place_chosen(static_cast<ModelPlace>(place_->currentData().toInt())); });
   connect(text_, &QLineEdit::textEdited, this, &BrushToolsPanel::text_typed);

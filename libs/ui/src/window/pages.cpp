@@ -22,7 +22,7 @@ std::unique_ptr<Page> make(WindowParts& parts) {
 std::vector<MakePage> registered_pages() {
   return {
       make<Home>,       make<Characters>, make<Progress>,  make<FunctionsPage>,
-      make<DevicePage>, make<BrushPage>,  make<StartPage>,  make<CheckPage>,
+      make<DevicePage>, make<BrushPage>,  make<StartPage>, make<CheckPage>,
   };
 }
 

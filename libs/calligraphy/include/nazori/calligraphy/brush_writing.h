@@ -16,8 +16,8 @@ namespace nazori::calligraphy {
 
 /// A part of the picture of a sheet.
 struct PictureTile {
-  static constexpr int kSide = 32;  ///< in pixels
-  int column = 0, row = 0;          ///< of its first pixel
+  static constexpr int kSide = 32;                                 ///< in pixels
+  int column = 0, row = 0;                                         ///< of its first pixel
   std::array<std::uint8_t, std::size_t{3} * kSide * kSide> rgb{};  ///< row by row
 };
 
@@ -32,9 +32,9 @@ struct BrushFrame {
 enum class Task : std::uint8_t { undo, redo, dry, new_sheet, ink, save, open, save_png, carve };
 struct Outcome {
   Task task = Task::undo;
-  Edit edit = Edit::none;            ///< what undo or redo did
-  bool changed = true;               ///< false: there was nothing to do
-  std::filesystem::path file = {};   ///< that was read or written
+  Edit edit = Edit::none;                                   ///< what undo or redo did
+  bool changed = true;                                      ///< false: there was nothing to do
+  std::filesystem::path file = {};                          ///< that was read or written
   std::shared_ptr<const tablet::CarvedTablet> tablet = {};  ///< of Task::carve
   bool failed = false;
   base::Error error = {};  ///< where it failed; nothing was changed then
@@ -87,7 +87,9 @@ class BrushWriting {
   /// Whether something was asked for that is not answered yet.
   [[nodiscard]] bool is_waiting() const { return waiting_ > 0; }
   /// Whether time must go on: the sheet is wet, the pen is down, or something was asked for.
-  [[nodiscard]] bool is_busy() const { return state_.is_wet || is_down_ || waiting_ > 0 || !samples_.empty(); }
+  [[nodiscard]] bool is_busy() const {
+    return state_.is_wet || is_down_ || waiting_ > 0 || !samples_.empty();
+  }
 
   base::Signal<const BrushFrame&> drawn;
   base::Signal<const Outcome&> done;
@@ -106,8 +108,8 @@ class BrushWriting {
   double due_s_ = 0;    ///< time that the sheet has not had yet
   int waiting_ = 0;     ///< frames that were asked for and have not come
   SheetState state_;
-  std::shared_ptr<Work> work_;    ///< used by the other thread alone
-  base::Background background_;   // declared last, so that its thread ends first
+  std::shared_ptr<Work> work_;   ///< used by the other thread alone
+  base::Background background_;  // declared last, so that its thread ends first
 };
 
 }  // namespace nazori::calligraphy

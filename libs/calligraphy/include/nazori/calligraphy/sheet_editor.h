@@ -48,9 +48,9 @@ struct SheetState {
 
 /// The shape of the hair, for drawing it.
 struct BrushShape {
-  geometry::PaperPoint pen;                   ///< where the pen was
-  std::vector<brush::TuftSection> sections;   ///< from the root to the tip
-  double shaft_m = 0;                         ///< diameter of the shaft
+  geometry::PaperPoint pen;                  ///< where the pen was
+  std::vector<brush::TuftSection> sections;  ///< from the root to the tip
+  double shaft_m = 0;                        ///< diameter of the shaft
   bool touches = false;
 };
 
