@@ -30,7 +30,7 @@ std::u32string written(std::u32string_view text) {
 
 /// Half of the width at `along` of a stroke, 0..1, over the side of the square.
 double half_width_at(double along, kanji::StrokeEnding ending) {
-  constexpr double kBody = 0.030, kEntry = 0.037, kStop = 0.038, kThin = 0.003;
+  constexpr double kBody = 0.030, kEntry = 0.034, kStop = 0.035, kThin = 0.003;
   constexpr double kEnters = 0.12, kSweeps = 0.40, kHooks = 0.86, kStops = 0.86;
   const auto between = [](double a, double b, double share) { return a + (b - a) * share; };
   const auto thins_from = [&](double from) {

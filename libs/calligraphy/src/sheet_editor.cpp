@@ -15,7 +15,7 @@ namespace {
 using base::Errc;
 
 /// Samples are at least so far apart, where a device gives two of them the same time.
-constexpr double kLeastTime_s = 1e-4;
+constexpr double kLeastTime_s = 1e-3;
 
 bool is_finite(const brush::PenSample& s) {
   return std::isfinite(s.time_s) && std::isfinite(s.at.x) && std::isfinite(s.at.y) &&
@@ -154,26 +154,38 @@ void SheetEditor::move_pen(brush::PenSample sample) {
   sample.time_s = std::max(sample.time_s, last_.time_s + kLeastTime_s);
   if (sample.pressure) sample.pressure = std::clamp(*sample.pressure, 0.0, 1.0);
   const bool comes_down = sample.down && !is_writing_;
-  if (comes_down) {
-    begin_stroke();
-    // The brush is above the place where it comes down, wherever it was before.
-    brush::PenSample above = sample;
-    above.down = false;
-    above.time_s = std::max(last_.time_s, sample.time_s - kLeastTime_s / 2);
-    tuft_.move_to(holder_.next(above), swept_);
-  }
+  if (comes_down) begin_stroke();
   swept_.clear();
   tuft_.set_wetness(load_.fullness());
+  if (comes_down) touch_down(sample);
   brush::HolderPose pose = holder_.next(sample);
   if (pose.depth_m > 0) {
     pose.at = aim_.foot(sample.at, tuft_);
   } else {
     aim_.lift(tuft_.points_to_rad());
+    // The foot comes back to the pen before the tip leaves the paper, so that the stroke ends there.
+    if (is_writing_ && tuft_.touching()) {
+      brush::HolderPose leaves = pose;
+      leaves.depth_m = 0;
+      leaves.time_s = last_.time_s + (pose.time_s - last_.time_s) / 2;
+      tuft_.move_to(leaves, swept_);
+    }
   }
   tuft_.move_to(pose, swept_);
   if (is_writing_) board_.sheet.touch(swept_, load_);
   if (!sample.down) is_writing_ = false;
   last_ = sample;
+}
+
+/// The brush is above the place where it comes down, wherever it was before, and its tip touches there first.
+void SheetEditor::touch_down(const brush::PenSample& sample) {
+  brush::PenSample above = sample;
+  above.down = false;
+  above.time_s = std::max(last_.time_s, sample.time_s - kLeastTime_s / 2);
+  brush::HolderPose pose = holder_.next(above);
+  tuft_.move_to(pose, swept_);
+  pose.depth_m = 0;
+  tuft_.move_to(pose, swept_);
 }
 
 void SheetEditor::lift_pen() {

@@ -111,16 +111,16 @@ TEST(ModelStrokes, EndAsTheCharacterAsks) {
   const double body = width_at(stop, 0.5);
   EXPECT_NEAR(body, 0.030 * 0.085, 1e-6);
   // Pressed at the start of each.
-  for (const auto* stroke : {&stop, &sweep, &hook}) EXPECT_NEAR(width_at(*stroke, 0) / body, 37.0 / 30, 0.01);
-  EXPECT_NEAR(width_at(stop, 1) / body, 38.0 / 30, 0.01);
+  for (const auto* stroke : {&stop, &sweep, &hook}) EXPECT_NEAR(width_at(*stroke, 0) / body, 34.0 / 30, 0.01);
+  EXPECT_NEAR(width_at(stop, 1) / body, 35.0 / 30, 0.01);
   EXPECT_NEAR(width_at(sweep, 1) / body, 0.1, 0.01);
   EXPECT_NEAR(width_at(hook, 1) / body, 0.1, 0.01);
   // A sweep thins out over more than half of its length, a hook only at its end.
   EXPECT_NEAR(width_at(sweep, 0.7) / body, 0.55, 0.02);
   EXPECT_NEAR(width_at(hook, 0.8) / body, 1, 1e-6);
   EXPECT_NEAR(width_at(hook, 0.93) / body, 0.55, 0.03);
-  EXPECT_NEAR(width_at(stop, 0.93) / body, 1.133, 0.02);
-  EXPECT_NEAR(width_at(sweep, 0.06) / body, 1.117, 0.02);
+  EXPECT_NEAR(width_at(stop, 0.93) / body, 1.083, 0.015);
+  EXPECT_NEAR(width_at(sweep, 0.06) / body, 1.067, 0.015);
   EXPECT_EQ(either.half_width_m, stop.half_width_m);
 }
 
@@ -129,7 +129,7 @@ TEST(ModelStrokes, ADotIsPressedAndAnEmptyLineLeftOut) {
   const auto strokes = model_strokes(std::vector{none, dot}, only_square());
   ASSERT_EQ(strokes.size(), 1U);
   ASSERT_EQ(strokes[0].points.size(), 1U);
-  EXPECT_NEAR(strokes[0].half_width_m[0], 0.037 * 0.085, 1e-9);
+  EXPECT_NEAR(strokes[0].half_width_m[0], 0.034 * 0.085, 1e-9);
 }
 
 std::u32string on_sheet(std::u32string_view text, int squares, int sheet) {

@@ -83,6 +83,14 @@ TEST(SheetEditor, TheNextStrokeDoesNotBeginWhereTheLastOneEnded) {
   EXPECT_EQ(e.state().strokes, 2);
 }
 
+TEST(SheetEditor, AStrokeEndsWhereThePenLeavesThePaper) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.02, 0});
+  EXPECT_TRUE(painted(e, {0.019, 0}));
+  EXPECT_FALSE(painted(e, {0.024, 0}));
+  EXPECT_FALSE(painted(e, {-0.037, 0}));
+}
+
 TEST(SheetEditor, MorePressureMakesABroaderLine) {
   const auto width = [](double pressure) {
     SheetEditor e = editor();
@@ -124,10 +132,10 @@ TEST(SheetEditor, SamplesThatAreNoNumbersAreIgnored) {
 
 TEST(SheetEditor, TimesThatDoNotGrowStillMakeAStroke) {
   SheetEditor e = editor();
-  for (int i = 0; i <= 60; ++i) {
+  for (int i = 0; i <= 240; ++i) {
     brush::PenSample sample;
     sample.time_s = 5 - 0.01 * i;
-    sample.at = {-0.03 + 0.001 * i, 0};
+    sample.at = {-0.03 + 0.00025 * i, 0};
     sample.pressure = 7;  // counts as 1
     e.move_pen(sample);
   }

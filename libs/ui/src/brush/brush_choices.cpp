@@ -177,12 +177,16 @@ void BrushPage::choose_ruling(int characters) {
 
 void BrushPage::choose_place(ModelPlace place) {
   choice_.place = place;
-  QAction* const actions[] = {actions_->model_none, actions_->model_beneath, actions_->model_beside};
-  actions[static_cast<std::size_t>(place)]->setChecked(true);
-  panel_->show_place(place);
+  show_place();
   show_model();
   parts().respond(Feedback::hint, model_words());
   parts().save_later();
+}
+
+void BrushPage::show_place() {
+  QAction* const actions[] = {actions_->model_none, actions_->model_beneath, actions_->model_beside};
+  actions[static_cast<std::size_t>(choice_.place)]->setChecked(true);
+  panel_->show_place(choice_.place);
 }
 
 void BrushPage::turn_model(int by) {

@@ -14,7 +14,7 @@ namespace {
 // How far one metre of height moves a point on the screen: the brush is seen from the writer's side.
 constexpr QPointF kRise(0.20, -0.42);
 // The light comes from the upper left, as on the tablet.
-constexpr QPointF kShade(0.34, 0.22);
+constexpr QPointF kShade(0.16, 0.10);
 constexpr double kShaft_m = 0.075;  ///< length that is drawn; it fades out
 constexpr double kHairLines = 9;
 const QColor kHairColour(58, 46, 38), kWetColour(24, 20, 19), kTipColour(10, 9, 9);
@@ -33,13 +33,19 @@ struct Ribbon {
   }
 };
 
+/// From the pen to a section on the paper, as on the screen [m].
+QPointF flat_offset(const calligraphy::BrushShape& brush, const brush::TuftSection& section) {
+  return {section.at.x - brush.pen.x, -(section.at.y - brush.pen.y)};
+}
+
 /// @param lift  what one metre of height moves a point.
 Ribbon ribbon_of(const calligraphy::BrushShape& brush, QPointF pen, double per_m, QPointF lift) {
   Ribbon ribbon;
   const auto& sections = brush.sections;
+  // In the air the tip is above the pen, however the hair is bent from the last stroke.
+  if (!brush.touches) pen -= flat_offset(brush, sections.back()) * per_m;
   for (const auto& section : sections) {
-    const QPointF flat(section.at.x - brush.pen.x, -(section.at.y - brush.pen.y));
-    ribbon.middle.push_back(pen + (flat + lift * section.z_m) * per_m);
+    ribbon.middle.push_back(pen + (flat_offset(brush, section) + lift * section.z_m) * per_m);
   }
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const QPointF along =
@@ -122,8 +128,9 @@ void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, QPoint
 QRectF brush_bounds(const calligraphy::BrushShape& brush, QPointF pen, double per_m) {
   QRectF bounds(pen, QSizeF(1, 1));
   double width = brush.shaft_m;
+  if (!brush.touches && !brush.sections.empty()) pen -= flat_offset(brush, brush.sections.back()) * per_m;
   for (const auto& section : brush.sections) {
-    const QPointF flat(section.at.x - brush.pen.x, -(section.at.y - brush.pen.y));
+    const QPointF flat = flat_offset(brush, section);
     width = std::max(width, section.half_width_m);
     const QPointF rises[] = {kRise, {-kRise.x(), kRise.y()}, kShade};
     for (const QPointF& lift : rises)

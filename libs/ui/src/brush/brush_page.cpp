@@ -131,8 +131,8 @@ void BrushPage::save(QSettings& settings) const {
 void BrushPage::enter() {
   entered_ = true;
   if (!writing_) start_writing();
-  choose_place(choice_.place);
-  choose_ruling(choice_.ruling);
+  show_place();
+  panel_->show_ruling(choice_.ruling);
   request_model();
   parts().note_opened();
   parts().announce(Feedback::hint,
@@ -209,9 +209,8 @@ void BrushPage::request_model() {
 }
 
 void BrushPage::show_model() {
-  auto squares = calligraphy::ruled_squares(choice_.ruling);
-  paper_->show_squares(squares);
-  if (squares.empty()) squares = {calligraphy::only_square()};
+  const auto ruled = calligraphy::ruled_squares(choice_.ruling);
+  const auto squares = ruled.empty() ? std::vector{calligraphy::only_square()} : ruled;
   std::vector<calligraphy::ModelStroke> all;
   const auto characters = models();
   for (std::size_t i = 0; i < characters.size() && i < squares.size(); ++i) {
@@ -220,7 +219,7 @@ void BrushPage::show_model() {
     for (auto& stroke : calligraphy::model_strokes(strokes->second, squares[i]))
       all.push_back(std::move(stroke));
   }
-  paper_->show_model(std::move(all), choice_.place);
+  paper_->show_model(std::move(all), ruled, choice_.place);
   panel_->show_model_words(model_words());
   paper_->setAccessibleDescription(sheet_words());
 }

@@ -78,9 +78,10 @@ class BrushPage final : public Page {
   void choose_paper(const std::string& paper);
   void choose_ruling(int characters);
   void choose_place(ModelPlace place);
+  void show_place();
   void turn_model(int by);
   void set_handling();
-  /// Whether the sheet can be changed; if not, announces why.
+  /// Shows the model, and asks for strokes that are not known yet.
   void request_model();
   void show_model();
   [[nodiscard]] std::u32string model_text() const;

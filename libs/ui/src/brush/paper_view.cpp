@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMargin_px = 14;
 constexpr double kBesideShare = 0.5;  ///< side of the model beside the sheet over that of the sheet, at least
-const QColor kModelColour(236, 170, 152), kRuleColour(226, 178, 162), kModelInk(60, 52, 46);
+const QColor kModelColour(242, 196, 182), kRuleColour(226, 178, 162), kModelInk(60, 52, 46);
 constexpr int kDarkness = 84;  ///< of the sheet in the dark theme, of 255
 
 /// Strokes as they are filled: a disc at each point and a band to the next one.
@@ -102,16 +102,12 @@ void PaperView::show_frame(const calligraphy::BrushFrame& frame) {
   update_brush();
 }
 
-void PaperView::show_model(std::vector<calligraphy::ModelStroke> strokes, ModelPlace place) {
+void PaperView::show_model(std::vector<calligraphy::ModelStroke> strokes,
+                           std::vector<calligraphy::RuledSquare> squares, ModelPlace place) {
   model_ = std::move(strokes);
+  squares_ = std::move(squares);
   model_place_ = place;
   lay_out();
-}
-
-void PaperView::show_squares(std::vector<calligraphy::RuledSquare> squares) {
-  squares_ = std::move(squares);
-  draw_guides();
-  update();
 }
 
 void PaperView::set_left_hand(bool left) {

@@ -27,9 +27,9 @@ class PaperView final : public QWidget {
   /// Starts with an empty picture. @param side  in pixels.
   void set_picture_side(int side);
   void show_frame(const calligraphy::BrushFrame& frame);
-  /// @param strokes  of all models, on the sheet. @param beside  the same for a sheet of its own.
-  void show_model(std::vector<calligraphy::ModelStroke> strokes, ModelPlace place);
-  void show_squares(std::vector<calligraphy::RuledSquare> squares);
+  /// @param strokes  of all models, where they are on the sheet. @param squares  that are ruled.
+  void show_model(std::vector<calligraphy::ModelStroke> strokes,
+                  std::vector<calligraphy::RuledSquare> squares, ModelPlace place);
   void set_left_hand(bool left);
   void set_shows_brush(bool shows);
   void refresh_appearance();

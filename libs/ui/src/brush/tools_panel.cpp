@@ -138,7 +138,6 @@ BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
   for (const auto paper : paint::paper_names()) paper_->addItem(paper_name(paper), text_of(paper));
   ruling_ = add_box("brush_ruling_box", tr("Ruling"), paper_form);
   for (const int count : calligraphy::kRulings) ruling_->addItem(ruling_name(count), count);
-  buttons({actions.dry, actions.new_sheet});
 
   column->addSpacing(kGap);
   column->addWidget(heading(tr("Model"), content_));

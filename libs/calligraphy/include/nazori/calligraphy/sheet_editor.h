@@ -144,6 +144,7 @@ class SheetEditor {
   /// Keeps what is current as the state that `edit` leads to or from, and goes to another state.
   Edit travel(std::deque<Mark>& from, std::deque<Mark>& to);
   void begin_stroke();
+  void touch_down(const brush::PenSample& sample);
   void suit_ink_to_paper(std::string_view before);
   void fit_load();
   void find_ink();
