@@ -91,6 +91,28 @@ TEST(SheetEditor, AStrokeEndsWhereThePenLeavesThePaper) {
   EXPECT_FALSE(painted(e, {-0.037, 0}));
 }
 
+TEST(SheetEditor, AStrokeBeginsWhereThePenComesDownHoweverHardItPresses) {
+  SheetEditor e = editor();
+  brush::PenSample sample;
+  sample.at = {0.01, -0.01};
+  sample.pressure = 0.9;
+  e.move_pen(sample);
+  e.lift_pen();
+  double x = 0, y = 0;
+  int cells = 0;
+  for (int row = 0; row < 128; ++row)
+    for (int column = 0; column < 128; ++column)
+      if (test::is_painted(e, column, row)) {
+        x += (column + 0.5) * e.sheet().cell_m() - paint::Sheet::kSide_m / 2;
+        y += paint::Sheet::kSide_m / 2 - (row + 0.5) * e.sheet().cell_m();
+        ++cells;
+      }
+  ASSERT_GT(cells, 4);
+  // The tip is placed there and the hair bends to one side of it.
+  EXPECT_TRUE(painted(e, {0.01, -0.01}));
+  EXPECT_LT(std::hypot(x / cells - 0.01, y / cells + 0.01), 0.006);
+}
+
 TEST(SheetEditor, MorePressureMakesABroaderLine) {
   const auto width = [](double pressure) {
     SheetEditor e = editor();

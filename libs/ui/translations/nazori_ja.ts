@@ -857,13 +857,13 @@
 <context>
     <name>nazori::ui::BrushWords</name>
     <message>
-        <source>No strokes</source>
-        <translation>まだ書いていません</translation>
+        <source>Nothing is written yet.</source>
+        <translation>まだ何も書いていません。</translation>
     </message>
     <message numerus="yes">
         <source>%n strokes</source>
         <translation>
-            <numerusform>全%n画</numerusform>
+            <numerusform>%n画</numerusform>
         </translation>
     </message>
     <message>

@@ -15,9 +15,7 @@ using calligraphy::Edit;
 
 int percent(double share) { return static_cast<int>(std::lround(share * 100)); }
 
-QString strokes_words(int strokes) {
-  return strokes == 0 ? Words::tr("No strokes") : Words::tr("%n strokes", nullptr, strokes);
-}
+QString strokes_words(int strokes) { return Words::tr("%n strokes", nullptr, strokes); }
 
 }  // namespace
 
@@ -77,6 +75,7 @@ QString brush_words(const calligraphy::SheetState& state) {
 }
 
 QString paper_words(const calligraphy::SheetState& state) {
+  if (state.strokes == 0 && !state.is_wet) return Words::tr("Nothing is written yet.");
   const QString strokes = strokes_words(state.strokes);
   return state.is_wet ? Words::tr("%1, wet.").arg(strokes) : Words::tr("%1, dry.").arg(strokes);
 }

@@ -225,7 +225,7 @@ void PaperView::paintEvent(QPaintEvent* event) {
     painter.drawRect(sheet.adjusted(-3, -3, 3, 3));
   }
   drawn_brush_ = {};
-  if (shows_brush_ && cursor_) {
+  if (shows_brush_ && cursor_ && (down_ || place_.rect.contains(*cursor_))) {
     drawn_brush_ = brush_bounds(brush_, *cursor_, place_.per_m());
     paint_brush(painter, brush_, *cursor_, place_.per_m(), left_hand_);
   }

@@ -70,7 +70,7 @@ void InkGauge::show_state(const calligraphy::SheetState& state) {
   update();
 }
 
-QSize InkGauge::sizeHint() const { return {120, QFontInfo(font()).pixelSize()}; }
+QSize InkGauge::sizeHint() const { return {120, QFontInfo(font()).pixelSize() * 9 / 8}; }
 
 void InkGauge::paintEvent(QPaintEvent* /*event*/) {
   const Colours& c = current_colours();
@@ -82,10 +82,13 @@ void InkGauge::paintEvent(QPaintEvent* /*event*/) {
   painter.setBrush(QColor(250, 247, 240));
   painter.drawRoundedRect(bar, corner, corner);
   if (fullness_ <= 0) return;
-  painter.setClipRect(QRectF(bar.left(), bar.top(), bar.width() * fullness_, bar.height()));
+  // The rim stays pale, so that black ink can be seen in the dark theme, too.
+  const QRectF ink = bar.adjusted(2, 2, -2, -2);
+  painter.setPen(Qt::NoPen);
+  painter.setClipRect(QRectF(ink.left(), ink.top(), ink.width() * fullness_, ink.height()));
   // Clear water is pale blue; the more ink, the more of its colour.
   painter.setBrush(blend(QColor(198, 216, 232), colour_of_ink(ink_), std::min(strength_, 1.0)));
-  painter.drawRoundedRect(bar, corner, corner);
+  painter.drawRoundedRect(ink, ink.height() / 2, ink.height() / 2);
 }
 
 BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
