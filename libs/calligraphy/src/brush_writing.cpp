@@ -72,6 +72,13 @@ void BrushWriting::request(Act act) {
   });
 }
 
+/// As request(), after the samples that are waiting.
+template <class Act>
+void BrushWriting::ask(Act act) {
+  flush(0);
+  request(std::move(act));
+}
+
 void BrushWriting::flush(int steps) {
   if (samples_.empty() && steps == 0) return;
   request([samples = std::exchange(samples_, {}), steps](SheetEditor& editor) -> std::optional<Outcome> {
@@ -116,24 +123,21 @@ void BrushWriting::tick(double seconds) {
 }
 
 void BrushWriting::set_brush(const BrushChoice& choice) {
-  flush(0);
-  request([choice](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([choice](SheetEditor& editor) -> std::optional<Outcome> {
     editor.set_brush(choice);
     return {};
   });
 }
 
 void BrushWriting::set_handling(const brush::Handling& handling) {
-  flush(0);
-  request([handling](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([handling](SheetEditor& editor) -> std::optional<Outcome> {
     editor.set_handling(handling);
     return {};
   });
 }
 
 void BrushWriting::set_ink(const std::string& ink) {
-  flush(0);
-  request([ink](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([ink](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{Task::ink};
     note_error(outcome, editor.set_ink(ink));
     return outcome;
@@ -141,32 +145,28 @@ void BrushWriting::set_ink(const std::string& ink) {
 }
 
 void BrushWriting::dip_in_ink() {
-  flush(0);
-  request([](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([](SheetEditor& editor) -> std::optional<Outcome> {
     editor.dip_in_ink();
     return {};
   });
 }
 
 void BrushWriting::dip_in_water() {
-  flush(0);
-  request([](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([](SheetEditor& editor) -> std::optional<Outcome> {
     editor.dip_in_water();
     return {};
   });
 }
 
 void BrushWriting::wipe() {
-  flush(0);
-  request([](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([](SheetEditor& editor) -> std::optional<Outcome> {
     editor.wipe();
     return {};
   });
 }
 
 void BrushWriting::undo() {
-  flush(0);
-  request([](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{Task::undo, editor.undo()};
     outcome.changed = outcome.edit != Edit::none;
     return outcome;
@@ -174,8 +174,7 @@ void BrushWriting::undo() {
 }
 
 void BrushWriting::redo() {
-  flush(0);
-  request([](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{Task::redo, editor.redo()};
     outcome.changed = outcome.edit != Edit::none;
     return outcome;
@@ -183,8 +182,7 @@ void BrushWriting::redo() {
 }
 
 void BrushWriting::dry_now() {
-  flush(0);
-  request([](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{Task::dry};
     outcome.changed = editor.dry_now();
     return outcome;
@@ -192,8 +190,7 @@ void BrushWriting::dry_now() {
 }
 
 void BrushWriting::take_new_sheet(const std::string& paper) {
-  flush(0);
-  request([paper](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([paper](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{Task::new_sheet};
     note_error(outcome, editor.take_new_sheet(paper));
     return outcome;
@@ -201,8 +198,7 @@ void BrushWriting::take_new_sheet(const std::string& paper) {
 }
 
 void BrushWriting::save(const std::filesystem::path& path) {
-  flush(0);
-  request([path](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([path](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{.task = Task::save, .file = path};
     note_error(outcome, editor.save(path));
     return outcome;
@@ -210,8 +206,7 @@ void BrushWriting::save(const std::filesystem::path& path) {
 }
 
 void BrushWriting::open(const std::filesystem::path& path) {
-  flush(0);
-  request([path](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([path](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{.task = Task::open, .file = path};
     note_error(outcome, editor.open(path));
     return outcome;
@@ -219,8 +214,7 @@ void BrushWriting::open(const std::filesystem::path& path) {
 }
 
 void BrushWriting::save_png(const std::filesystem::path& path) {
-  flush(0);
-  request([path](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([path](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{.task = Task::save_png, .file = path};
     note_error(outcome, editor.save_png(path));
     return outcome;
@@ -228,8 +222,7 @@ void BrushWriting::save_png(const std::filesystem::path& path) {
 }
 
 void BrushWriting::carve() {
-  flush(0);
-  request([](SheetEditor& editor) -> std::optional<Outcome> {
+  ask([](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{Task::carve};
     auto carved = editor.carve();
     note_error(outcome, carved);

@@ -159,6 +159,26 @@ TEST_F(BrushWritingTest, TheSameTimeInOnePieceOrManyIsTheSameSheet) {
   fs::remove_all(path);
 }
 
+TEST_F(BrushWritingTest, WithoutATickNoTimePasses) {
+  SheetEditor editor = std::move(SheetEditor::create("hanshi", 128).value());
+  for (int i = 0; i <= 40; ++i) {
+    brush::PenSample sample;
+    sample.time_s = 0.01 * (i + 1);
+    sample.at = {-0.03 + 0.06 * i / 40, 0};
+    sample.pressure = 0.6;
+    editor.move_pen(sample);
+  }
+  editor.lift_pen();
+  editor.wipe();
+  line(0);
+  writing_.wipe();
+  const auto path = fs::path(testing::TempDir()) / "brush_no_time.nzs";
+  writing_.save(path);
+  outcome();
+  EXPECT_EQ(base::read_file(path, 1U << 26U).value(), editor.bytes());
+  fs::remove(path);
+}
+
 TEST_F(BrushWritingTest, AfterALongPauseOnlyAFewStepsAreMadeUpFor) {
   line(0);
   writing_.tick(1.0 / 60);

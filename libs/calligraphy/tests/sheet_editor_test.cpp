@@ -129,16 +129,20 @@ TEST(SheetEditor, WithoutPressureAFastStrokeIsThinnerUnlessNothingIsGuessed) {
 
 TEST(SheetEditor, SamplesThatAreNoNumbersAreIgnored) {
   SheetEditor e = editor();
-  brush::PenSample sample;
-  sample.at.x = std::numeric_limits<double>::quiet_NaN();
-  e.move_pen(sample);
-  sample = {};
-  sample.pressure = std::numeric_limits<double>::infinity();
-  e.move_pen(sample);
-  sample = {};
-  sample.time_s = std::numeric_limits<double>::quiet_NaN();
-  e.move_pen(sample);
-  EXPECT_EQ(e.state().strokes, 0);
+  const double wrong = std::numeric_limits<double>::quiet_NaN();
+  for (int field = 0; field < 8; ++field) {
+    brush::PenSample sample;
+    sample.pressure = field == 0 ? wrong : 0.5;
+    if (field == 1) sample.time_s = wrong;
+    if (field == 2) sample.at.x = wrong;
+    if (field == 3) sample.at.y = std::numeric_limits<double>::infinity();
+    if (field == 4) sample.lean_rad = wrong;
+    if (field == 5) sample.lean_to_rad = wrong;
+    if (field == 6) sample.twist_rad = wrong;
+    if (field == 7) sample.height_m = wrong;
+    e.move_pen(sample);
+    EXPECT_EQ(e.state().strokes, 0) << field;
+  }
 }
 
 TEST(SheetEditor, TimesThatDoNotGrowStillMakeAStroke) {
@@ -290,6 +294,15 @@ TEST(SheetEditor, OnlySoManySheetsAreKept) {
   EXPECT_EQ(e.undo(), Edit::none);
 }
 
+/// How much redder than blue the middle of the sheet is, in levels of 255.
+int redness(SheetEditor& e) {
+  std::vector<int> changed;
+  const auto& picture = e.picture(changed);
+  const auto side = static_cast<std::size_t>(e.sheet().size());
+  const std::size_t at = 3 * (side * side / 2 + side / 2);
+  return picture.rgb[at] - picture.rgb[at + 2];
+}
+
 TEST(SheetEditor, InksStandSideBySideInTheirOwnColours) {
   SheetEditor e = editor();
   for (const auto ink : {"vermilion", "sumi-blue", "sumi"}) {
@@ -300,11 +313,7 @@ TEST(SheetEditor, InksStandSideBySideInTheirOwnColours) {
   }
   ASSERT_TRUE(e.set_ink("vermilion"));
   line(e, {-0.03, 0}, {0.03, 0});
-  std::vector<int> changed;
-  const auto& picture = e.picture(changed);
-  const std::size_t at =
-      3 * (static_cast<std::size_t>(e.sheet().size()) * e.sheet().size() / 2 + e.sheet().size() / 2);
-  EXPECT_GT(picture.rgb[at], picture.rgb[at + 2] + 60);
+  EXPECT_GT(redness(e), 60);
 }
 
 TEST(SheetEditor, AFourthInkTakesADrySlotAndIsRefusedWhereAllAreWet) {
@@ -328,6 +337,21 @@ TEST(SheetEditor, AFourthInkTakesADrySlotAndIsRefusedWhereAllAreWet) {
   // The inks that were there are undone to, with the ink of that time.
   EXPECT_EQ(e.undo(), Edit::drying);
   EXPECT_EQ(e.state().ink, "sumi-blue");
+}
+
+TEST(SheetEditor, UndoBringsBackTheInkOfThatTime) {
+  SheetEditor e = editor();
+  ASSERT_TRUE(e.set_ink("vermilion"));
+  line(e, {-0.03, 0.03}, {0.03, 0.03});
+  ASSERT_TRUE(e.set_ink("sumi"));
+  line(e, {-0.03, -0.03}, {0.03, -0.03});
+  e.undo();
+  EXPECT_EQ(e.state().ink, "sumi");
+  e.undo();
+  EXPECT_EQ(e.state().ink, "vermilion");
+  e.dip_in_ink();
+  line(e, {-0.03, 0}, {0.03, 0});
+  EXPECT_GT(redness(e), 60);
 }
 
 TEST(SheetEditor, WaterLeavesNoPigment) {

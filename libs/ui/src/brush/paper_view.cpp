@@ -2,6 +2,8 @@
 // How the sheet is drawn.
 #include "brush/paper_view.h"
 
+#include <QAccessible>
+#include <QAccessibleWidget>
 #include <QGuiApplication>
 #include <QPaintEvent>
 #include <QPainter>
@@ -59,9 +61,15 @@ void fill_model(QPainter& painter, const std::vector<calligraphy::ModelStroke>& 
   }
 }
 
+QAccessibleInterface* make_canvas(const QString& class_name, QObject* object) {
+  if (class_name != QLatin1String(PaperView::staticMetaObject.className())) return nullptr;
+  return new QAccessibleWidget(qobject_cast<QWidget*>(object), QAccessible::Canvas);
+}
+
 }  // namespace
 
 PaperView::PaperView(QWidget* parent) : QWidget(parent) {
+  QAccessible::installFactory(make_canvas);  // once, however often it is asked for
   setObjectName(QStringLiteral("paper_view"));
   setAccessibleName(tr("Sheet of paper"));
   setFocusPolicy(Qt::StrongFocus);

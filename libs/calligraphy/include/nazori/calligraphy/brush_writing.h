@@ -98,6 +98,8 @@ class BrushWriting {
   struct Work;
   template <class Act>
   void request(Act act);
+  template <class Act>
+  void ask(Act act);
   void flush(int steps);
 
   int cells_;
