@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPointingDevice>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabletEvent>
 #include <QTimer>
 
@@ -346,6 +347,33 @@ TEST_F(BrushWindow, TheSheetIsCarvedAsATabletOfTheLearnersOwn) {
   press(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
   wait_until([this] { return find("tablet")->isVisible(); });
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("Brush sheet – Nazori"));
+}
+
+TEST_F(BrushWindow, ThePanelHoldsTheLargestTextInBothLanguages) {
+  for (const char* language : {"en", "ja"}) {
+    press(Qt::Key_1, Qt::AltModifier);  // the window opens with the page that was shown last
+    install_language(QString::fromLatin1(language));
+    open_window();
+    press(Qt::Key_2, Qt::AltModifier);
+    settle();
+    for (const int text_pt : {Preferences::kMinText_pt, Preferences::kMaxText_pt}) {
+      for (const int width : {800, 1600}) {
+        set_text_size(text_pt, width, 800);
+        const auto* area = find<QScrollArea>("brush_tools_panel");
+        const QWidget* content = area->widget();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return content->width() <= area->viewport()->width(); }))
+            << content->width() << " in " << area->viewport()->width() << ' ' << width << ' ' << text_pt
+            << ' ' << language;
+        EXPECT_GE(paper()->place().rect.width(), 150) << width << ' ' << text_pt;
+        for (const auto* child : content->findChildren<QWidget*>())
+          if (child->isVisible()) {
+            EXPECT_LE(child->mapTo(content, QPoint(child->width(), 0)).x(), content->width())
+                << child->objectName().toStdString();
+          }
+      }
+    }
+  }
+  install_language(QStringLiteral("en"));
 }
 
 TEST_F(BrushWindow, NoKeyIsGivenTwice) {

@@ -492,8 +492,8 @@
         <translation>筆を洗って次の色の墨をつけます</translation>
     </message>
     <message>
-        <source>&amp;Guess pressure from speed</source>
-        <translation>速さから筆圧を推定する(&amp;G)</translation>
+        <source>&amp;Guess pressure</source>
+        <translation>筆圧を推定する(&amp;G)</translation>
     </message>
     <message>
         <source>With mouse and finger: a slow stroke is thick, a fast one thin</source>

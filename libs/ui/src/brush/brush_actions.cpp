@@ -14,7 +14,7 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
       make("brush_hair", tr("Other h&air"), tr("Take a brush with other hair: goat, mixed, weasel"), "H");
   next_ink =
       make("brush_ink_colour", tr("Other ink &colour"), tr("Wash the brush and take the next ink"), "C");
-  guess_pressure = make("brush_guess", tr("&Guess pressure from speed"),
+  guess_pressure = make("brush_guess", tr("&Guess pressure"),
                         tr("With mouse and finger: a slow stroke is thick, a fast one thin"), "G", true);
   left_hand = make("brush_left_hand", tr("&Left hand"),
                    tr("The brush leans to the left; the tilt of a pen is mirrored"), "L", true);

@@ -131,6 +131,9 @@ void BrushPage::save(QSettings& settings) const {
 void BrushPage::enter() {
   entered_ = true;
   if (!writing_) start_writing();
+  // As the panels beside the tablet: on the other side for the left hand.
+  static_cast<QHBoxLayout*>(widget_->layout())
+      ->setDirection(parts().preferences().left_handed ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight);
   show_place();
   panel_->show_ruling(choice_.ruling);
   request_model();
