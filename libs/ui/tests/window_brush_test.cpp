@@ -352,6 +352,7 @@ TEST_F(BrushWindow, TheSheetIsCarvedAsATabletOfTheLearnersOwn) {
 TEST_F(BrushWindow, ThePanelHoldsTheLargestTextInBothLanguages) {
   for (const char* language : {"en", "ja"}) {
     press(Qt::Key_1, Qt::AltModifier);  // the window opens with the page that was shown last
+    window_->close();
     install_language(QString::fromLatin1(language));
     open_window();
     press(Qt::Key_2, Qt::AltModifier);
