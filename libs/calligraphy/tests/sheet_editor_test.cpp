@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -299,6 +300,13 @@ TEST(SheetEditor, InkIsCarvedAsAGroove) {
   EXPECT_GE(map.at(64, 64), 0.0F);
   for (const int row : {0, 10, 127}) EXPECT_EQ(map.at(0, row), 1.0F) << row;
   EXPECT_EQ(map.at(127, 0), 1.0F);
+  // A stylus that is dragged over a wall climbs it: no step is a cliff.
+  float steepest = 0;
+  for (int i = 0; i < 127; ++i)
+    for (int across = 0; across < 128; ++across)
+      steepest = std::max({steepest, std::abs(map.at(i, across) - map.at(i + 1, across)),
+                           std::abs(map.at(across, i) - map.at(across, i + 1))});
+  EXPECT_LT(steepest, 0.4F);
 }
 
 }  // namespace

@@ -137,6 +137,16 @@ TEST(SheetEditorUndo, ANewSheetEndsWhatCouldBeRedoneOnTheOldOne) {
   EXPECT_EQ(e.redo(), Edit::none);
 }
 
+TEST(SheetEditorUndo, ANewSheetEndsWhatCouldBeRedoneAmongSheets) {
+  SheetEditor e = editor();
+  ASSERT_TRUE(e.take_new_sheet("board"));
+  e.undo();
+  ASSERT_TRUE(e.take_new_sheet("gasenshi"));
+  EXPECT_EQ(e.state().redoes, Edit::none);
+  EXPECT_EQ(e.redo(), Edit::none);
+  EXPECT_EQ(e.state().paper, "gasenshi");
+}
+
 TEST(SheetEditorUndo, OnlySoManySheetsAreKept) {
   SheetEditor e = editor();
   for (const char* paper : {"gasenshi", "board", "gasenshi-slow"}) ASSERT_TRUE(e.take_new_sheet(paper));
