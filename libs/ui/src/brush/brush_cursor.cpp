@@ -17,7 +17,7 @@ constexpr QPointF kRise(0.20, -0.42);
 constexpr QPointF kShade(0.16, 0.10);
 constexpr double kShaft_m = 0.075;  ///< length that is drawn; it fades out
 constexpr double kHairLines = 9;
-const QColor kHairColour(58, 46, 38), kWetColour(24, 20, 19), kTipColour(10, 9, 9);
+const QColor kHairColour(58, 46, 38);
 const QColor kBamboo(196, 160, 104), kBambooEdge(128, 96, 54);
 
 /// The hair as a ribbon on the screen.
@@ -62,8 +62,16 @@ QPointF rise(bool left_hand) { return left_hand ? QPointF(-kRise.x(), kRise.y())
 
 }  // namespace
 
-void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, QPointF pen, double per_m,
-                 bool left_hand) {
+QColor colour_of_ink(std::string_view ink) {
+  if (ink == "vermilion") return {196, 62, 38};
+  if (ink == "sumi-blue") return {24, 30, 46};
+  if (ink == "sumi-brown") return {48, 34, 24};
+  if (ink == "water") return {120, 108, 98};
+  return {28, 26, 25};
+}
+
+void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, const QColor& ink, QPointF pen,
+                 double per_m, bool left_hand) {
   if (brush.sections.size() < 2) return;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -95,11 +103,11 @@ void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, QPoint
   bamboo.setColorAt(1, faded(kBamboo, 0));
   painter.setPen(Qt::NoPen);
 
-  QLinearGradient ink(root, hair.middle.back());
-  ink.setColorAt(0, kHairColour);
-  ink.setColorAt(0.35, kWetColour);
-  ink.setColorAt(1, kTipColour);
-  painter.setBrush(ink);
+  QLinearGradient wet(root, hair.middle.back());
+  wet.setColorAt(0, kHairColour);
+  wet.setColorAt(0.35, ink.darker(120));
+  wet.setColorAt(1, ink.darker(150));
+  painter.setBrush(wet);
   painter.drawPath(hair.outline());
   // Round where the hair comes out of the shaft.
   painter.drawEllipse(root, root_px, root_px * 0.75);

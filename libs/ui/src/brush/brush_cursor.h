@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QColor>
 #include <QPointF>
 #include <QRectF>
+#include <string_view>
 
 #include "nazori/calligraphy/brush_writing.h"
 
@@ -24,11 +26,15 @@ struct SheetPlace {
   }
 };
 
+/// The colour of an ink in the brush.
+[[nodiscard]] QColor colour_of_ink(std::string_view ink);
+
 /// The brush as it is seen from above at an angle: its hair as it is bent and spread, the shaft, and the
 /// shadow of both on the paper.
-/// @param pen  where it is now. @param left_hand  the shaft stands to the left.
-void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, QPointF pen, double per_m,
-                 bool left_hand);
+/// @param ink  colour of its hair. @param pen  where it is now. @param left_hand  the shaft stands to the
+/// left.
+void paint_brush(QPainter& painter, const calligraphy::BrushShape& brush, const QColor& ink, QPointF pen,
+                 double per_m, bool left_hand);
 /// What paint_brush() covers at most.
 [[nodiscard]] QRectF brush_bounds(const calligraphy::BrushShape& brush, QPointF pen, double per_m);
 

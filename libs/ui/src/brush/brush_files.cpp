@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <utility>
 
 #include "brush/brush_actions.h"
 #include "brush/brush_page.h"
@@ -62,6 +63,7 @@ void BrushPage::show_outcome(const Outcome& outcome) {
               .arg(paper_name(state.paper), actions_->undo->shortcut().toString(QKeySequence::NativeText)));
     case Task::ink:
       choice_.ink = state.ink;
+      if (std::exchange(starts_, false)) return;
       return parts().respond(Feedback::hint, tr("Ink: %1.").arg(ink_name(state.ink)));
     case Task::open:
       file_ = file;

@@ -157,7 +157,8 @@ void BrushPage::start_writing() {
   subscribe(writing_->drawn, this, [this](const calligraphy::BrushFrame& frame) { show_frame(frame); });
   subscribe(writing_->done, this, [this](const calligraphy::Outcome& outcome) { show_outcome(outcome); });
   writing_->set_brush(choice_.brush);
-  if (choice_.ink != "sumi" && choice_.paper != calligraphy::kWater) writing_->set_ink(choice_.ink);
+  starts_ = choice_.ink != "sumi" && choice_.paper != calligraphy::kWater;
+  if (starts_) writing_->set_ink(choice_.ink);
   set_handling();
 }
 

@@ -99,6 +99,7 @@ class BrushPage final : public Page {
   QString file_;
   bool entered_ = false;
   bool closes_when_saved_ = false;
+  bool starts_ = false;      ///< the first ink is chosen, which is not announced
   bool warned_dry_ = false;  ///< said once for each time that the brush runs dry
   int part_ = 0;             ///< of a model text that needs several sheets
   std::map<char32_t, std::vector<kanji::StrokeLine>> strokes_;

@@ -107,6 +107,7 @@ void PaperView::show_frame(const calligraphy::BrushFrame& frame) {
                .adjusted(-2, -2, 2, 2));
   }
   brush_ = frame.brush;
+  ink_ = colour_of_ink(frame.state.ink);
   update_brush();
 }
 
@@ -235,7 +236,7 @@ void PaperView::paintEvent(QPaintEvent* event) {
   drawn_brush_ = {};
   if (shows_brush_ && cursor_ && (down_ || place_.rect.contains(*cursor_))) {
     drawn_brush_ = brush_bounds(brush_, *cursor_, place_.per_m());
-    paint_brush(painter, brush_, *cursor_, place_.per_m(), left_hand_);
+    paint_brush(painter, brush_, ink_, *cursor_, place_.per_m(), left_hand_);
   }
 }
 

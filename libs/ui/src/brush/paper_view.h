@@ -80,6 +80,7 @@ class PaperView final : public QWidget {
   std::vector<calligraphy::RuledSquare> squares_;
   ModelPlace model_place_ = ModelPlace::beneath;
   calligraphy::BrushShape brush_;
+  QColor ink_;  ///< in the brush
   std::optional<QPointF> cursor_;
   QRectF drawn_brush_;  ///< what the brush covered in the last picture
   bool left_hand_ = false;

@@ -30,14 +30,6 @@ QString text_of(std::string_view name) {
   return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
-/// The colour of an ink in the brush.
-QColor colour_of_ink(const QString& ink) {
-  if (ink == QLatin1String("vermilion")) return {196, 62, 38};
-  if (ink == QLatin1String("sumi-blue")) return {24, 30, 46};
-  if (ink == QLatin1String("sumi-brown")) return {48, 34, 24};
-  return {28, 26, 25};
-}
-
 /// A check box that is the action.
 QCheckBox* box_for(QAction* action, QWidget* parent) {
   auto* box = named(new QCheckBox(action->iconText(), parent), "");
@@ -65,7 +57,7 @@ InkGauge::InkGauge(QWidget* parent) : QWidget(parent) {
 void InkGauge::show_state(const calligraphy::SheetState& state) {
   fullness_ = state.fullness;
   strength_ = state.strength;
-  ink_ = text_of(state.ink);
+  ink_ = colour_of_ink(state.ink);
   setAccessibleDescription(brush_words(state));
   update();
 }
@@ -87,7 +79,7 @@ void InkGauge::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(Qt::NoPen);
   painter.setClipRect(QRectF(ink.left(), ink.top(), ink.width() * fullness_, ink.height()));
   // Clear water is pale blue; the more ink, the more of its colour.
-  painter.setBrush(blend(QColor(198, 216, 232), colour_of_ink(ink_), std::min(strength_, 1.0)));
+  painter.setBrush(blend(QColor(198, 216, 232), ink_, std::min(strength_, 1.0)));
   painter.drawRoundedRect(ink, ink.height() / 2, ink.height() / 2);
 }
 

@@ -27,7 +27,7 @@ class InkGauge final : public QWidget {
 
  private:
   double fullness_ = 0, strength_ = 0;
-  QString ink_;
+  QColor ink_;
 };
 
 /// Brush, paper and model beside the paper.
