@@ -179,6 +179,29 @@ TEST_F(BrushWritingTest, WithoutATickNoTimePasses) {
   fs::remove(path);
 }
 
+TEST_F(BrushWritingTest, InALateTickInkSpreadsWhileItIsWritten) {
+  SheetEditor editor = std::move(SheetEditor::create("hanshi", 128).value());
+  line(0);
+  int count = 0;
+  for (int i = 0; i <= 40; ++i) {
+    brush::PenSample sample;
+    sample.time_s = 0.01 * (i + 1);
+    sample.at = {-0.03 + 0.06 * i / 40, 0};
+    sample.pressure = 0.6;
+    editor.move_pen(sample);
+    // A quarter of the samples before each of four steps.
+    if (++count % 11 == 0) editor.step();
+  }
+  editor.lift_pen();
+  editor.step();
+  writing_.tick(4.01 / 60);
+  const auto path = fs::path(testing::TempDir()) / "brush_late.nzs";
+  writing_.save(path);
+  outcome();
+  EXPECT_EQ(base::read_file(path, 1U << 26U).value(), editor.bytes());
+  fs::remove(path);
+}
+
 TEST_F(BrushWritingTest, AfterALongPauseOnlyAFewStepsAreMadeUpFor) {
   line(0);
   writing_.tick(1.0 / 60);

@@ -26,6 +26,22 @@ class SheetEditorFiles : public testing::Test {
   fs::path folder_ = fs::path(testing::TempDir()) / "calligraphy_editor";
 };
 
+TEST_F(SheetEditorFiles, TheBrushIsDippedInTheSameInkWhereverItIsInAnOpenedSheet) {
+  auto sheet =
+      paint::Sheet::create(128, {},
+                           {paint::find_pigment("vermilion").value(),
+                            paint::find_pigment("indian-red").value(), paint::find_pigment("sumi").value()})
+          .value();
+  ASSERT_TRUE(paint::save_sheet(sheet, paint::dipped(1e-6, 1, {}, {}), folder_ / "other.nzs"));
+  SheetEditor e = editor();
+  ASSERT_TRUE(e.open(folder_ / "other.nzs"));
+  EXPECT_EQ(e.state().ink, "sumi");
+  e.wipe();
+  e.dip_in_ink();
+  EXPECT_EQ(e.load().tip.pigment[0], 0);
+  EXPECT_GT(e.load().tip.pigment[2], 0);
+}
+
 TEST_F(SheetEditorFiles, WhateverIsDoneWhileWritingEndsTheStroke) {
   const fs::path path = folder_ / "stroke.nzs";
   const std::function<void(SheetEditor&)> acts[] = {
