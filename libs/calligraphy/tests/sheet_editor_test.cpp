@@ -228,7 +228,7 @@ TEST(SheetEditor, PaperForWaterComesWithWaterAndOtherPaperWithInkAgain) {
   EXPECT_EQ(e.state().ink, "water");
   EXPECT_EQ(e.state().strength, 0);
   EXPECT_EQ(SheetEditor::create("water", 128)->state().ink, "water");
-  // Who chose water for other paper keeps it.
+  // Water that was chosen for other paper stays.
   SheetEditor other = editor();
   ASSERT_TRUE(other.set_ink(kWater));
   ASSERT_TRUE(other.take_new_sheet("board"));
