@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "characters.h"
 #include "json_answers.h"
 #include "nazori/base/utf8.h"
+#include "nazori/brush/aim.h"
 #include "nazori/brush/tuft.h"
 #include "nazori/exchange/tablets.h"
 #include "nazori/paint/sheet.h"
@@ -65,51 +65,6 @@ base::Result<paint::Paper> paper_of(const std::string& name) {
   return has_extension(name, ".txt") ? paint::load_paper(name) : paint::find_paper(name);
 }
 
-/// Leads the foot of the holder so that the patch of contact follows the pen, as a writer aims with the ink.
-/// The patch is towed behind the foot: it follows a line when the foot is ahead of it along the line's
-/// direction.
-class Aim {
- public:
-  [[nodiscard]] geometry::PaperPoint foot(geometry::PaperPoint pen, const brush::Tuft& tuft) {
-    if (before_) {
-      // Over this way a hand's direction counts.
-      constexpr double kWay_m = 0.002;
-      const double x = pen.x - before_->x, y = pen.y - before_->y;
-      const double rest = std::exp(-std::hypot(x, y) / kWay_m);
-      const double way = std::max(std::hypot(x, y), 1e-12);
-      ahead_.x = rest * ahead_.x + (1 - rest) * x / way;
-      ahead_.y = rest * ahead_.y + (1 - rest) * y / way;
-    }
-    before_ = pen;
-    // At touch-down the tuft will bend as far as in the stroke before.
-    constexpr double kFirstReach = 0.2;
-    if (tuft.touching()) {
-      lead_m_ = reach_m(tuft);
-    } else if (lead_m_ <= 0) {
-      lead_m_ = kFirstReach * tuft.form().hair_m;
-    }
-    const double length = std::max(std::hypot(ahead_.x, ahead_.y), 1e-3);
-    return {pen.x + lead_m_ * ahead_.x / length, pen.y + lead_m_ * ahead_.y / length};
-  }
-  /// The pen is off the paper: the next stroke starts as the brush points.
-  void lift(double points_to_rad) {
-    before_.reset();
-    ahead_ = {-std::cos(points_to_rad), -std::sin(points_to_rad)};
-  }
-
- private:
-  /// From the foot to the middle of the sections that touch [m].
-  static double reach_m(const brush::Tuft& tuft) {
-    const auto sections = tuft.sections();
-    const geometry::PaperPoint tip = sections.back().at, root = sections.front().at;
-    return std::max(geometry::distance(root, tip) - tuft.patch_m() / 2, 0.0);
-  }
-
-  std::optional<geometry::PaperPoint> before_;
-  geometry::PaperPoint ahead_{0.7, -0.7};
-  double lead_m_ = 0;
-};
-
 /// Writes samples on a sheet, and a picture of every second step where a folder is given.
 class Writing {
  public:
@@ -124,7 +79,7 @@ class Writing {
     paint::InkLoad load = paint::dipped(form_.holds_m3, settings.load, ink, ink);
     brush::Tuft tuft(form_);
     brush::PenToHolder holder(form_, {});
-    Aim aim;
+    brush::Aim aim;
     std::vector<geometry::BristleSegment> swept;
     double passed_s = samples.empty() ? 0 : samples.front().time_s;
     for (std::size_t i = 0; i < samples.size(); ++i) {

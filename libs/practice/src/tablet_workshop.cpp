@@ -145,6 +145,11 @@ void TabletWorkshop::carve(const kanji::Character& character) {
   inside_->latest.request(CarveRequest{character.code_point, tablet::tablet_lines(character.lines())});
 }
 
+void TabletWorkshop::show(const OwnTablet& own) {
+  inside_->latest.cancel();
+  loaded(own);
+}
+
 void TabletWorkshop::load(const path& map_path, const path& strokes_path, const OwnTablet& onto,
                           int grid_size) {
   inside_->latest.request(LoadRequest{map_path, strokes_path, onto, grid_size});

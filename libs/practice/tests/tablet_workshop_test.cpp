@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nazori/kanji/stroke_order.h"
+#include "nazori/practice/blank_tablet.h"
 #include "nazori/surface/height_map_file.h"
 
 namespace nazori::practice {
@@ -206,6 +207,25 @@ TEST(Carving, OfSeveralCharactersTheNewestIsAnsweredAndOneThatIsAtHandIsNotCarve
   under.workshop.carve(character(U'c', 89));
   under.wait_for(under.carved, before + 1);
   EXPECT_EQ(under.carved.back().second, first);
+}
+
+TEST(Carving, ATabletThatWasMadeElsewhereTakesThePlaceOfWhatWasAskedFor) {
+  WorkshopUnderTest under;
+  kanji::Character asked;
+  asked.code_point = U'a';
+  asked.strokes.resize(1);
+  asked.strokes[0].line.points = {{20, 54.5}, {60, 54.5}};
+  under.workshop.carve(asked);
+  const Tablet made = blank_tablet();
+  under.workshop.show({made, "sheet", 64, false});
+  ASSERT_EQ(under.loaded.size(), 1U);
+  EXPECT_EQ(under.loaded[0].tablet, made);
+  EXPECT_EQ(under.loaded[0].name, "sheet");
+  // What is asked for after it is answered, what was asked before is not.
+  asked.code_point = U'b';
+  under.workshop.carve(asked);
+  under.wait_for(under.carved, 1);
+  EXPECT_EQ(under.carved[0].first, U'b');
 }
 
 TEST(Carving, TheSixTabletsThatWereCarvedLastStayAtHand) {

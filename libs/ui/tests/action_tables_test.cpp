@@ -6,6 +6,7 @@
 #include <QActionGroup>
 #include <QWidget>
 
+#include "brush/brush_actions.h"
 #include "characters/character_actions.h"
 #include "learners/learner_actions.h"
 #include "progress/progress_actions.h"
@@ -278,6 +279,48 @@ progress_copy Ctrl+C
 -
 progress_longer L
 progress_shorter K)"));
+  expect_words(actions);
+}
+
+TEST_F(ActionTables, OfTheBrush) {
+  const BrushActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Brush]
+brush_ink I
+brush_water W
+brush_wipe X
+-
+brush_thicker ]
+brush_thinner [
+brush_hair H
+brush_ink_colour C
+-
+*brush_guess G
+*brush_left_hand L
+*brush_shown B
+[Sheet]
+brush_undo Ctrl+Z Backspace
+brush_redo Ctrl+Y Ctrl+Shift+Z
+-
+brush_dry D
+brush_new Ctrl+N
+brush_paper P
+-
+brush_describe S
+brush_png Ctrl+E
+brush_carve Ctrl+Shift+C
+-
+*brush_tools F3
+[Model]
+*brush_model_none 1
+*brush_model_beneath 2
+*brush_model_beside 3
+-
+brush_ruling R
+-
+brush_model_text T
+brush_next_model .
+brush_previous_model ,)"));
   expect_words(actions);
 }
 

@@ -450,6 +450,570 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::BrushActions</name>
+    <message>
+        <source>&amp;Ink</source>
+        <translation>墨をつける(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Dip the brush in ink</source>
+        <translation>筆に墨をつけます</translation>
+    </message>
+    <message>
+        <source>&amp;Water</source>
+        <translation>水をつける(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Dip the brush in water: the ink becomes paler</source>
+        <translation>筆に水をつけて墨を薄めます</translation>
+    </message>
+    <message>
+        <source>Wi&amp;pe</source>
+        <translation>筆をふく(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Wipe the brush: it holds half as much ink</source>
+        <translation>筆をふいて墨を半分に減らします</translation>
+    </message>
+    <message>
+        <source>&amp;Thicker brush</source>
+        <translation>太い筆(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Take the next thicker brush</source>
+        <translation>1つ太い筆に替えます</translation>
+    </message>
+    <message>
+        <source>T&amp;hinner brush</source>
+        <translation>細い筆(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Take the next thinner brush</source>
+        <translation>1つ細い筆に替えます</translation>
+    </message>
+    <message>
+        <source>Other h&amp;air</source>
+        <translation>毛を替える(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take a brush with other hair: goat, mixed, weasel</source>
+        <translation>羊毛・兼毫・イタチ毛の順に筆を替えます</translation>
+    </message>
+    <message>
+        <source>Other ink &amp;colour</source>
+        <translation>墨の色を替える(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Wash the brush and take the next ink</source>
+        <translation>筆を洗って次の色の墨をつけます</translation>
+    </message>
+    <message>
+        <source>&amp;Guess pressure</source>
+        <translation>筆圧を推定する(&amp;G)</translation>
+    </message>
+    <message>
+        <source>With mouse and finger: a slow stroke is thick, a fast one thin</source>
+        <translation>マウスや指のとき、ゆっくり書くと太く、速く書くと細くなります</translation>
+    </message>
+    <message>
+        <source>&amp;Left hand</source>
+        <translation>左手で書く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The brush leans to the left; the tilt of a pen is mirrored</source>
+        <translation>筆が左に傾き、ペンの傾きも左右が逆になります</translation>
+    </message>
+    <message>
+        <source>Show the &amp;brush</source>
+        <translation>筆を表示する(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the brush above the paper</source>
+        <translation>紙の上に筆を表示します</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Undo the last stroke</source>
+        <translation>最後の画を取り消します</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Redo what was undone</source>
+        <translation>取り消した操作をやり直します</translation>
+    </message>
+    <message>
+        <source>&amp;Dry now</source>
+        <translation>すぐに乾かす(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Dry the sheet at once</source>
+        <translation>紙をすぐに乾かします</translation>
+    </message>
+    <message>
+        <source>&amp;New sheet</source>
+        <translation>新しい紙(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Take an empty sheet; undo brings this one back</source>
+        <translation>新しい紙に替えます。元に戻すと今の紙に戻ります</translation>
+    </message>
+    <message>
+        <source>Other &amp;paper</source>
+        <translation>紙の種類を替える(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Take a new sheet of the next kind of paper</source>
+        <translation>次の種類の新しい紙に替えます</translation>
+    </message>
+    <message>
+        <source>De&amp;scribe the sheet</source>
+        <translation>紙の様子を説明する(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Say what is on the paper and in the brush</source>
+        <translation>紙に書いたものと筆の墨を読み上げます</translation>
+    </message>
+    <message>
+        <source>Save as a pictur&amp;e…</source>
+        <translation>画像として保存(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Save the sheet as PNG</source>
+        <translation>紙を PNG で保存します</translation>
+    </message>
+    <message>
+        <source>&amp;Carve as a tablet</source>
+        <translation>文字板に彫る(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Carve the ink into a tablet that you can feel</source>
+        <translation>書いた墨を溝に彫り、触れる文字板にします</translation>
+    </message>
+    <message>
+        <source>&amp;Tools beside the paper</source>
+        <translation>紙の横の道具(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Show or hide brush, paper and model</source>
+        <translation>筆・紙・手本の欄を表示または隠します</translation>
+    </message>
+    <message>
+        <source>&amp;No model</source>
+        <translation>手本なし(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Write without a model</source>
+        <translation>手本なしで書きます</translation>
+    </message>
+    <message>
+        <source>Model &amp;beneath</source>
+        <translation>手本を下に敷く(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the model faintly under the ink</source>
+        <translation>墨の下に手本を薄く表示します</translation>
+    </message>
+    <message>
+        <source>Model be&amp;side</source>
+        <translation>手本を横に置く(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show the model beside the paper</source>
+        <translation>紙の横に手本を表示します</translation>
+    </message>
+    <message>
+        <source>Other &amp;ruling</source>
+        <translation>罫線を替える(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Rule the sheet for 0, 1, 2, 4 or 6 characters</source>
+        <translation>紙の罫線を 0、1、2、4、6字用に替えます</translation>
+    </message>
+    <message>
+        <source>Model &amp;text…</source>
+        <translation>手本の文字(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Type what you want to write</source>
+        <translation>書きたい文字を入力します</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt part</source>
+        <translation>次の部分(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Show the next part of the model text</source>
+        <translation>手本の文字の次の部分を表示します</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious part</source>
+        <translation>前の部分(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show the previous part of the model text</source>
+        <translation>手本の文字の前の部分を表示します</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>筆(&amp;B)</translation>
+    </message>
+    <message>
+        <source>S&amp;heet</source>
+        <translation>紙(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>手本(&amp;M)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::BrushPage</name>
+    <message>
+        <source>Dipped in ink.</source>
+        <translation>墨をつけました。</translation>
+    </message>
+    <message>
+        <source>Dipped in water: the ink is paler.</source>
+        <translation>水をつけました。墨が薄くなりました。</translation>
+    </message>
+    <message>
+        <source>Wiped: half of the ink is gone.</source>
+        <translation>筆をふきました。墨が半分になりました。</translation>
+    </message>
+    <message>
+        <source>Brush: %1, %2.</source>
+        <translation>筆：%1、%2。</translation>
+    </message>
+    <message>
+        <source>The whole model text is on this sheet.</source>
+        <translation>手本の文字はすべてこの紙にあります。</translation>
+    </message>
+    <message>
+        <source>Could not open %1: %2. The sheet was not changed.</source>
+        <translation>%1 を開けませんでした：%2。紙は変わっていません。</translation>
+    </message>
+    <message>
+        <source>Could not save %1: %2.</source>
+        <translation>%1 を保存できませんでした：%2。</translation>
+    </message>
+    <message>
+        <source>The sheet is still wet with other inks. D: dry it now.</source>
+        <translation>紙がほかの色の墨でまだぬれています。D：すぐに乾かす。</translation>
+    </message>
+    <message>
+        <source>This is not possible: %1.</source>
+        <translation>実行できません：%1。</translation>
+    </message>
+    <message>
+        <source>The sheet is dry.</source>
+        <translation>紙が乾きました。</translation>
+    </message>
+    <message>
+        <source>The sheet was dry already.</source>
+        <translation>紙はすでに乾いています。</translation>
+    </message>
+    <message>
+        <source>New sheet: %1. %2 brings the old one back.</source>
+        <translation>新しい紙：%1。%2 で前の紙に戻ります。</translation>
+    </message>
+    <message>
+        <source>Ink: %1.</source>
+        <translation>墨：%1。</translation>
+    </message>
+    <message>
+        <source>Opened %1.</source>
+        <translation>%1 を開きました。</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Brush sheet</source>
+        <translation>筆で書いた紙</translation>
+    </message>
+    <message>
+        <source>Open a sheet</source>
+        <translation>紙を開く</translation>
+    </message>
+    <message>
+        <source>Sheet of paper (*.nzs)</source>
+        <translation>紙 (*.nzs)</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>名前を付けて保存</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>The sheet with your brush writing is not saved.</source>
+        <translation>筆で書いた紙はまだ保存されていません。</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>保存しない</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>筆(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Write with brush and ink on paper</source>
+        <translation>筆と墨で紙に書きます</translation>
+    </message>
+    <message>
+        <source>Write on the sheet with mouse, pen or finger. I: ink. W: water. S: what is on the sheet.</source>
+        <translation>マウス、ペン、指で紙に書いてください。I：墨、W：水、S：紙の説明。</translation>
+    </message>
+    <message>
+        <source>The brush is almost dry. I: dip it in ink.</source>
+        <translation>筆の墨が残りわずかです。I：墨をつける。</translation>
+    </message>
+    <message>
+        <source>No model.</source>
+        <translation>手本なし。</translation>
+    </message>
+    <message>
+        <source>Model beneath: %1.</source>
+        <translation>下の手本：%1。</translation>
+    </message>
+    <message>
+        <source>Model beside: %1.</source>
+        <translation>横の手本：%1。</translation>
+    </message>
+    <message>
+        <source>Part %1 of %2.</source>
+        <translation>全%2枚の%1枚目。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::BrushToolsPanel</name>
+    <message>
+        <source>Ink in the brush</source>
+        <translation>筆の墨</translation>
+    </message>
+    <message>
+        <source>Brush, paper and model</source>
+        <translation>筆・紙・手本</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>筆</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>墨</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>太さ</translation>
+    </message>
+    <message>
+        <source>Hair</source>
+        <translation>毛</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>紙</translation>
+    </message>
+    <message>
+        <source>Ruling</source>
+        <translation>罫線</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>手本</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Beneath</source>
+        <translation>下に敷く</translation>
+    </message>
+    <message>
+        <source>Beside</source>
+        <translation>横に置く</translation>
+    </message>
+    <message>
+        <source>Text of the model</source>
+        <translation>手本の文字</translation>
+    </message>
+    <message>
+        <source>Current character</source>
+        <translation>今の字</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::BrushWords</name>
+    <message>
+        <source>Nothing is written yet.</source>
+        <translation>まだ何も書いていません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes</source>
+        <translation>
+            <numerusform>%n画</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hanshi (practice paper)</source>
+        <translation>半紙（練習用）</translation>
+    </message>
+    <message>
+        <source>Gasenshi (bleeds fast)</source>
+        <translation>画仙紙（にじみが速い）</translation>
+    </message>
+    <message>
+        <source>Gasenshi (bleeds slowly)</source>
+        <translation>画仙紙（ゆっくりにじむ）</translation>
+    </message>
+    <message>
+        <source>Board (hardly bleeds)</source>
+        <translation>色紙（ほとんどにじまない）</translation>
+    </message>
+    <message>
+        <source>Water paper (fades as it dries)</source>
+        <translation>水書き用紙（乾くと消える）</translation>
+    </message>
+    <message>
+        <source>Sumi, black</source>
+        <translation>墨（黒）</translation>
+    </message>
+    <message>
+        <source>Sumi, bluish</source>
+        <translation>青墨</translation>
+    </message>
+    <message>
+        <source>Sumi, brownish</source>
+        <translation>茶墨</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>朱墨</translation>
+    </message>
+    <message>
+        <source>Water only</source>
+        <translation>水だけ</translation>
+    </message>
+    <message>
+        <source>Goat (soft)</source>
+        <translation>羊毛（やわらかい）</translation>
+    </message>
+    <message>
+        <source>Mixed</source>
+        <translation>兼毫（ふつう）</translation>
+    </message>
+    <message>
+        <source>Weasel (stiff)</source>
+        <translation>イタチ毛（かたい）</translation>
+    </message>
+    <message>
+        <source>Large</source>
+        <translation>大筆</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>中筆</translation>
+    </message>
+    <message>
+        <source>Small</source>
+        <translation>小筆</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>細筆</translation>
+    </message>
+    <message>
+        <source>No ruling</source>
+        <translation>罫線なし</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n字</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The brush is empty.</source>
+        <translation>筆に墨がありません。</translation>
+    </message>
+    <message>
+        <source>Brush: %1% full, water only.</source>
+        <translation>筆：水だけ %1%。</translation>
+    </message>
+    <message>
+        <source>Brush: %1% full, ink %2%.</source>
+        <translation>筆：含み %1%、濃さ %2%。</translation>
+    </message>
+    <message>
+        <source>%1, wet.</source>
+        <translation>%1、ぬれています。</translation>
+    </message>
+    <message>
+        <source>%1, dry.</source>
+        <translation>%1、乾いています。</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>元に戻す操作がありません。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 undone.</source>
+        <translation>%1画目を取り消しました。</translation>
+    </message>
+    <message>
+        <source>Drying undone: the sheet is wet again.</source>
+        <translation>乾かす前に戻しました。紙はぬれています。</translation>
+    </message>
+    <message>
+        <source>The sheet before is back: %1.</source>
+        <translation>前の紙に戻りました：%1。</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>やり直す操作がありません。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 redone.</source>
+        <translation>%1画目をやり直しました。</translation>
+    </message>
+    <message>
+        <source>The sheet is dry again.</source>
+        <translation>紙がまた乾きました。</translation>
+    </message>
+    <message>
+        <source>The next sheet is back: %1.</source>
+        <translation>次の紙に進みました：%1。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::CalendarCard</name>
     <message>
         <source>Earlier year</source>
@@ -3978,6 +4542,13 @@ Columns and rows:</source>
     <message>
         <source>Pages</source>
         <translation>ページ</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PaperView</name>
+    <message>
+        <source>Sheet of paper</source>
+        <translation>紙</translation>
     </message>
 </context>
 <context>

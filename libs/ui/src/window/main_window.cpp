@@ -352,6 +352,8 @@ void MainWindow::Inside::focus_tablet() {
 }
 
 bool MainWindow::Inside::may_close(bool quits) {
+  for (const auto& page : pages)
+    if (!page->may_close(quits)) return false;
   auto& session = parts.session();
   if (session.state() != practice::StudySession::State::judged) return true;
   QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),

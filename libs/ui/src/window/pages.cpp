@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "brush/brush_page.h"
 #include "characters/characters.h"
 #include "device/device_page.h"
 #include "functions/functions_page.h"
@@ -21,7 +22,7 @@ std::unique_ptr<Page> make(WindowParts& parts) {
 std::vector<MakePage> registered_pages() {
   return {
       make<Home>,       make<Characters>, make<Progress>,  make<FunctionsPage>,
-      make<DevicePage>, make<StartPage>,  make<CheckPage>,
+      make<DevicePage>, make<BrushPage>,  make<StartPage>, make<CheckPage>,
   };
 }
 

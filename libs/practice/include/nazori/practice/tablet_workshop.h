@@ -57,6 +57,9 @@ class TabletWorkshop {
   void load(const std::filesystem::path& map_path, const std::filesystem::path& strokes_path,
             const OwnTablet& onto, int grid_size = 0);
 
+  /// A tablet that was made elsewhere takes the place of the requests before it; `loaded` follows at once.
+  void show(const OwnTablet& own);
+
   /// Writes the tablet at `size` samples a side. @param own_map  the tablet keeps the size of its own map.
   void save(const Tablet& tablet, const std::filesystem::path& path, FileFormat format, int size,
             bool own_map);

@@ -47,6 +47,13 @@ enum class Icon : std::uint8_t {
   progress,
   copy,
   home,
+  brush,
+  ink_stone,
+  water,
+  wipe,
+  dry,
+  sheet,
+  redo,
 };
 Q_ENUM_NS(Icon)
 

@@ -85,6 +85,10 @@ class Page : public QObject {
   /// parts().save_later().
   virtual void save(QSettings& settings) const;
 
+  /// Whether the window may close. A page with work that is not saved asks the learner first.
+  /// @param quits  false: the window closes to open again, as in another language.
+  [[nodiscard]] virtual bool may_close(bool /*quits*/) { return true; }
+
   /// Whether the page opens files of this kind (dropped on the window, named on the command line).
   [[nodiscard]] virtual bool opens(const QStringList& paths) const;
   virtual void open_files(const QStringList& paths);

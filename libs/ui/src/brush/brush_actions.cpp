@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brush/brush_actions.h"
+
+namespace nazori::ui {
+
+BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
+  dip_in_ink = make("brush_ink", tr("&Ink"), tr("Dip the brush in ink"), "I", Icon::ink_stone);
+  dip_in_water = make("brush_water", tr("&Water"), tr("Dip the brush in water: the ink becomes paler"), "W",
+                      Icon::water);
+  wipe = make("brush_wipe", tr("Wi&pe"), tr("Wipe the brush: it holds half as much ink"), "X", Icon::wipe);
+  thicker = make("brush_thicker", tr("&Thicker brush"), tr("Take the next thicker brush"), "]");
+  thinner = make("brush_thinner", tr("T&hinner brush"), tr("Take the next thinner brush"), "[");
+  next_hair =
+      make("brush_hair", tr("Other h&air"), tr("Take a brush with other hair: goat, mixed, weasel"), "H");
+  next_ink =
+      make("brush_ink_colour", tr("Other ink &colour"), tr("Wash the brush and take the next ink"), "C");
+  guess_pressure = make("brush_guess", tr("&Guess pressure"),
+                        tr("With mouse and finger: a slow stroke is thick, a fast one thin"), "G", true);
+  left_hand = make("brush_left_hand", tr("&Left hand"),
+                   tr("The brush leans to the left; the tilt of a pen is mirrored"), "L", true);
+  show_brush = make("brush_shown", tr("Show the &brush"), tr("Show the brush above the paper"), "B", true);
+
+  undo = make("brush_undo", tr("&Undo"), tr("Undo the last stroke"), "Ctrl+Z Backspace", Icon::undo);
+  redo = make("brush_redo", tr("&Redo"), tr("Redo what was undone"), "Ctrl+Y Ctrl+Shift+Z", Icon::redo);
+  dry = make("brush_dry", tr("&Dry now"), tr("Dry the sheet at once"), "D", Icon::dry);
+  new_sheet = make("brush_new", tr("&New sheet"), tr("Take an empty sheet; undo brings this one back"),
+                   "Ctrl+N", Icon::sheet);
+  next_paper = make("brush_paper", tr("Other &paper"), tr("Take a new sheet of the next kind of paper"), "P");
+  describe =
+      make("brush_describe", tr("De&scribe the sheet"), tr("Say what is on the paper and in the brush"), "S");
+  save_png = make("brush_png", tr("Save as a pictur&e…"), tr("Save the sheet as PNG"), "Ctrl+E");
+  carve = make("brush_carve", tr("&Carve as a tablet"), tr("Carve the ink into a tablet that you can feel"),
+               "Ctrl+Shift+C");
+  tools = make("brush_tools", tr("&Tools beside the paper"), tr("Show or hide brush, paper and model"), "F3",
+               true, Icon::information);
+
+  model_none = make("brush_model_none", tr("&No model"), tr("Write without a model"), "1", true);
+  model_beneath = make("brush_model_beneath", tr("Model &beneath"),
+                       tr("Show the model faintly under the ink"), "2", true);
+  model_beside =
+      make("brush_model_beside", tr("Model be&side"), tr("Show the model beside the paper"), "3", true);
+  next_ruling =
+      make("brush_ruling", tr("Other &ruling"), tr("Rule the sheet for 0, 1, 2, 4 or 6 characters"), "R");
+  model_text = make("brush_model_text", tr("Model &text…"), tr("Type what you want to write"), "T");
+  next_model = make("brush_next_model", tr("Ne&xt part"), tr("Show the next part of the model text"), ".");
+  previous_model =
+      make("brush_previous_model", tr("Pre&vious part"), tr("Show the previous part of the model text"), ",");
+
+  make_exclusive({model_none, model_beneath, model_beside});
+  add_group(tr("&Brush"), {dip_in_ink, dip_in_water, wipe, nullptr, thicker, thinner, next_hair, next_ink,
+                           nullptr, guess_pressure, left_hand, show_brush});
+  add_group(tr("S&heet"), {undo, redo, nullptr, dry, new_sheet, next_paper, nullptr, describe, save_png,
+                           carve, nullptr, tools});
+  add_group(tr("&Model"), {model_none, model_beneath, model_beside, nullptr, next_ruling, nullptr, model_text,
+                           next_model, previous_model});
+}
+
+}  // namespace nazori::ui

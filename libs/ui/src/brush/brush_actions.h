@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "nazori/widgets/controls/action_set.h"
+
+namespace nazori::ui {
+
+/// The actions of the page for the brush.
+class BrushActions final : public ActionSet {
+  Q_OBJECT
+ public:
+  explicit BrushActions(QWidget* window);
+
+  QAction *dip_in_ink, *dip_in_water, *wipe, *thicker, *thinner, *next_hair, *next_ink;
+  QAction *guess_pressure, *left_hand, *show_brush;
+  QAction *undo, *redo, *dry, *new_sheet, *next_paper, *describe, *save_png, *carve, *tools;
+  QAction *model_none, *model_beneath, *model_beside, *next_ruling, *model_text, *next_model, *previous_model;
+};
+
+}  // namespace nazori::ui

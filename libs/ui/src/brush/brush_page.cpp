@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "brush/brush_page.h"
+
+#include <QHBoxLayout>
+#include <QSettings>
+#include <algorithm>
+#include <array>
+
+#include "brush/brush_actions.h"
+#include "brush/brush_words.h"
+#include "brush/tools_panel.h"
+#include "nazori/widgets/controls/parts.h"
+#include "nazori/widgets/events/signals.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/settings/stored_settings.h"
+#include "nazori/widgets/words/error_text.h"
+#include "nazori/widgets/words/kanji_text.h"
+
+namespace nazori::ui {
+namespace {
+
+using calligraphy::BrushSize;
+
+constexpr int kFrame_ms = 16;
+constexpr double kAlmostDry = 0.12;
+constexpr std::array<std::string_view, 3> kPlaces{"none", "beneath", "beside"};
+
+/// The next of several values, after the last one the first.
+template <class Values, class Value>
+Value after(const Values& values, const Value& value) {
+  auto at = std::find(std::begin(values), std::end(values), value);
+  if (at == std::end(values) || ++at == std::end(values)) at = std::begin(values);
+  return Value(*at);
+}
+
+}  // namespace
+
+BrushPage::BrushPage(WindowParts& parts)
+    : Page(parts,
+           {QStringLiteral("brush"), tr("&Brush"), tr("Write with brush and ink on paper"), Icon::brush, {}}),
+      actions_(new BrushActions(&parts.window())),
+      widget_(named(new QWidget(&parts.window()), "brush_page")),
+      paper_(new PaperView(widget_)),
+      panel_(new BrushToolsPanel(*actions_, widget_)) {
+  auto* row = new QHBoxLayout(widget_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(paper_, 1);
+  row->addWidget(panel_);
+  widget_->setFocusProxy(paper_);
+  timer_.setInterval(kFrame_ms);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
+  QSettings settings(parts.settings_file(), QSettings::IniFormat);
+  settings.beginGroup(id());
+  load(settings);
+  connect_actions();
+  connect_panel();
+  connect_paper();
+  subscribe(parts.library().characters_ready, this, [this](const std::vector<kanji::Character>& characters) {
+    for (const auto& character : characters) strokes_[character.code_point] = character.lines();
+    if (entered_) show_model();
+  });
+}
+
+BrushPage::~BrushPage() = default;
+
+QString BrushPage::title() const { return file_; }
+QWidget* BrushPage::instead_of_tablet() const { return widget_; }
+ActionSet* BrushPage::actions() const { return actions_; }
+
+QList<Tool> BrushPage::tools() const {
+  return {{actions_->dip_in_ink, true},
+          {actions_->dip_in_water, true},
+          {actions_->wipe, true},
+          {},
+          {actions_->undo, true},
+          {actions_->redo, true},
+          {},
+          {actions_->dry, true},
+          {actions_->new_sheet, true},
+          {},
+          {actions_->tools}};
+}
+
+void BrushPage::load(const QSettings& settings) {
+  const base::Settings values = read_settings(settings);
+  const auto known = [&](std::string_view key, const auto& names, const std::string& fallback) {
+    const std::string text(base::text_setting(values, key));
+    return std::find(names.begin(), names.end(), text) == names.end() ? fallback : text;
+  };
+  choice_.paper = known("paper", paint::paper_names(), choice_.paper);
+  choice_.ink = known("ink", calligraphy::kInks, choice_.ink);
+  choice_.brush.size = base::named_setting(values, "size", calligraphy::kBrushSizes, choice_.brush.size);
+  choice_.brush.hair = base::named_setting(values, "hair", calligraphy::kHairs, choice_.brush.hair);
+  choice_.ruling = static_cast<int>(base::number_setting(values, "ruling", choice_.ruling, 0, 6));
+  choice_.place = base::named_setting(values, "model", kPlaces, choice_.place);
+  choice_.text = to_text(base::text_setting(values, "text"));
+  choice_.guess_pressure = base::flag_setting(values, "guess_pressure", choice_.guess_pressure);
+  choice_.left_hand = base::flag_setting(values, "left_hand", parts().preferences().left_handed);
+  choice_.show_brush = base::flag_setting(values, "show_brush", choice_.show_brush);
+  choice_.show_tools = base::flag_setting(values, "show_tools", choice_.show_tools);
+  actions_->guess_pressure->setChecked(choice_.guess_pressure);
+  actions_->left_hand->setChecked(choice_.left_hand);
+  actions_->show_brush->setChecked(choice_.show_brush);
+  actions_->tools->setChecked(choice_.show_tools);
+  panel_->setVisible(choice_.show_tools);
+  panel_->show_text(choice_.text);
+  paper_->set_left_hand(choice_.left_hand);
+  paper_->set_shows_brush(choice_.show_brush);
+}
+
+void BrushPage::save(QSettings& settings) const {
+  auto values = read_settings(settings);
+  values.insert_or_assign("paper", choice_.paper);
+  values.insert_or_assign("ink", choice_.ink);
+  values.insert_or_assign(
+      "size", std::string(calligraphy::kBrushSizes[static_cast<std::size_t>(choice_.brush.size)]));
+  values.insert_or_assign("hair",
+                          std::string(calligraphy::kHairs[static_cast<std::size_t>(choice_.brush.hair)]));
+  base::set_number(values, "ruling", choice_.ruling);
+  values.insert_or_assign("model", std::string(kPlaces[static_cast<std::size_t>(choice_.place)]));
+  values.insert_or_assign("text", choice_.text.toStdString());
+  base::set_flag(values, "guess_pressure", choice_.guess_pressure);
+  base::set_flag(values, "left_hand", choice_.left_hand);
+  base::set_flag(values, "show_brush", choice_.show_brush);
+  base::set_flag(values, "show_tools", choice_.show_tools);
+  write_settings(settings, values);
+}
+
+void BrushPage::enter() {
+  entered_ = true;
+  if (!writing_) start_writing();
+  // As the panels beside the tablet: on the other side for the left hand.
+  static_cast<QHBoxLayout*>(widget_->layout())
+      ->setDirection(parts().preferences().left_handed ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight);
+  show_place();
+  panel_->show_ruling(choice_.ruling);
+  request_model();
+  parts().note_opened();
+  parts().announce(Feedback::hint,
+                   tr("Write on the sheet with mouse, pen or finger. I: ink. W: water. S: what is "
+                      "on the sheet."));
+  wake();
+}
+
+void BrushPage::leave() {
+  entered_ = false;
+  writing_->lift_pen();
+}
+
+void BrushPage::refresh_appearance() { paper_->refresh_appearance(); }
+
+void BrushPage::start_writing() {
+  writing_ = std::make_unique<calligraphy::BrushWriting>(inbox_.inbox(), choice_.paper);
+  paper_->set_picture_side(writing_->size());
+  subscribe(writing_->drawn, this, [this](const calligraphy::BrushFrame& frame) { show_frame(frame); });
+  subscribe(writing_->done, this, [this](const calligraphy::Outcome& outcome) { show_outcome(outcome); });
+  writing_->set_brush(choice_.brush);
+  starts_ = choice_.ink != "sumi" && choice_.paper != calligraphy::kWater;
+  if (starts_) writing_->set_ink(choice_.ink);
+  set_handling();
+}
+
+void BrushPage::wake() {
+  if (timer_.isActive()) return;
+  since_tick_.start();
+  timer_.start();
+}
+
+void BrushPage::tick() {
+  writing_->tick(static_cast<double>(since_tick_.nsecsElapsed()) * 1e-9);
+  since_tick_.start();
+  if (!writing_->is_busy()) timer_.stop();
+}
+
+void BrushPage::show_frame(const calligraphy::BrushFrame& frame) {
+  paper_->show_frame(frame);
+  const auto& state = frame.state;
+  actions_->undo->setEnabled(state.undoes != calligraphy::Edit::none);
+  actions_->redo->setEnabled(state.redoes != calligraphy::Edit::none);
+  actions_->dry->setEnabled(state.is_wet);
+  panel_->show_state(state);
+  paper_->setAccessibleDescription(sheet_words());
+  if (state.fullness > kAlmostDry) warned_dry_ = false;
+  if (state.fullness < kAlmostDry && !state.is_writing && !warned_dry_) {
+    warned_dry_ = true;
+    parts().announce(Feedback::advice, tr("The brush is almost dry. I: dip it in ink."));
+  }
+  if (writing_->is_busy()) wake();
+}
+
+std::u32string BrushPage::model_text() const {
+  std::u32string text = choice_.text.trimmed().toStdU32String();
+  if (!text.empty()) return text;
+  const auto& sheet = parts().practice().sheet();
+  return std::u32string(1, sheet ? sheet->character.code_point : parts().preferences().kanji);
+}
+
+std::vector<char32_t> BrushPage::models() const {
+  return calligraphy::models_on_sheet(model_text(), std::max(choice_.ruling, 1), part_);
+}
+
+void BrushPage::request_model() {
+  if (const auto& sheet = parts().practice().sheet())
+    strokes_[sheet->character.code_point] = sheet->character.lines();
+  std::vector<char32_t> missing;
+  for (const char32_t c : models())
+    if (!strokes_.contains(c) && std::find(missing.begin(), missing.end(), c) == missing.end())
+      missing.push_back(c);
+  if (!missing.empty()) parts().library().request_characters(missing);
+  show_model();
+}
+
+void BrushPage::show_model() {
+  const auto ruled = calligraphy::ruled_squares(choice_.ruling);
+  const auto squares = ruled.empty() ? std::vector{calligraphy::only_square()} : ruled;
+  std::vector<calligraphy::ModelStroke> all;
+  const auto characters = models();
+  for (std::size_t i = 0; i < characters.size() && i < squares.size(); ++i) {
+    const auto strokes = strokes_.find(characters[i]);
+    if (strokes == strokes_.end()) continue;
+    for (auto& stroke : calligraphy::model_strokes(strokes->second, squares[i]))
+      all.push_back(std::move(stroke));
+  }
+  paper_->show_model(std::move(all), ruled, choice_.place);
+  panel_->show_model_words(model_words());
+  paper_->setAccessibleDescription(sheet_words());
+}
+
+QString BrushPage::model_words() const {
+  if (choice_.place == ModelPlace::none) return tr("No model.");
+  QString text;
+  for (const char32_t c : models()) text += to_text(c);
+  const QString words = choice_.place == ModelPlace::beneath ? tr("Model beneath: %1.").arg(text)
+                                                             : tr("Model beside: %1.").arg(text);
+  const int sheets = calligraphy::sheets_of(model_text(), std::max(choice_.ruling, 1));
+  if (sheets <= 1) return words;
+  const int at = ((part_ % sheets) + sheets) % sheets;
+  return words + QLatin1Char(' ') + tr("Part %1 of %2.").arg(at + 1).arg(sheets);
+}
+
+QString BrushPage::sheet_words() const {
+  const auto& state = writing_->state();
+  return QStringList{paper_words(state), paper_name(state.paper) + QLatin1Char('.'), model_words(),
+                     brush_words(state)}
+      .join(QLatin1Char(' '));
+}
+
+}  // namespace nazori::ui

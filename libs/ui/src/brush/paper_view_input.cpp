@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mouse, pen and fingers on the sheet.
+#include <QMouseEvent>
+#include <QTabletEvent>
+#include <QTouchEvent>
+#include <numbers>
+
+#include "brush/paper_view.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kPenGone_ms = 500;  ///< the palm leaves the paper this long after the pen
+
+}  // namespace
+
+void PaperView::write(QPointF at, bool down, std::uint64_t event_ms, const calligraphy::HolderTilt& tilt,
+                      std::optional<double> pressure, double twist_rad) {
+  const bool was_down = std::exchange(down_, down);
+  move_cursor(at);
+  // Above the paper only the picture of the brush moves.
+  if (!down && !was_down) return;
+  brush::PenSample sample;
+  sample.time_s =
+      static_cast<double>(event_ms != 0 ? event_ms : static_cast<std::uint64_t>(clock_.elapsed())) / 1000;
+  sample.at = place_.to_paper(at);
+  sample.down = down;
+  sample.pressure = pressure;
+  sample.lean_rad = tilt.lean_rad;
+  sample.lean_to_rad = tilt.lean_to_rad;
+  sample.twist_rad = twist_rad;
+  emit pen_moved(sample);
+}
+
+void PaperView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && place_.rect.contains(event->position()))
+    write(event->position(), true, event->timestamp(), calligraphy::assumed_tilt(left_hand_));
+}
+
+void PaperView::mouseMoveEvent(QMouseEvent* event) {
+  write(event->position(), down_, event->timestamp(), calligraphy::assumed_tilt(left_hand_));
+}
+
+void PaperView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton)
+    write(event->position(), false, event->timestamp(), calligraphy::assumed_tilt(left_hand_));
+}
+
+void PaperView::tabletEvent(QTabletEvent* event) {
+  event->accept();
+  since_pen_.start();
+  // Qt's left button is the tip. Buttons on the barrel do nothing here.
+  const bool is_tip = event->button() == Qt::LeftButton;
+  const bool is_eraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
+  if (is_eraser) {
+    if (is_tip && event->type() == QEvent::TabletPress) emit eraser_used();
+    return;
+  }
+  bool down = down_;
+  if (is_tip && event->type() == QEvent::TabletPress) down = place_.rect.contains(event->position());
+  if (is_tip && event->type() == QEvent::TabletRelease) down = false;
+  const auto has = [event](QInputDevice::Capability what) {
+    return event->pointingDevice()->hasCapability(what);
+  };
+  const auto tilt = has(QInputDevice::Capability::XTilt)
+                        ? calligraphy::holder_tilt(event->xTilt(), event->yTilt(), left_hand_)
+                        : calligraphy::assumed_tilt(left_hand_);
+  // Qt counts the rotation clockwise.
+  const double turned =
+      has(QInputDevice::Capability::Rotation) ? event->rotation() * std::numbers::pi / 180 : 0;
+  std::optional<double> pressure;
+  if (has(QInputDevice::Capability::Pressure)) pressure = event->pressure();
+  write(event->position(), down, event->timestamp(), tilt, pressure, left_hand_ ? turned : -turned);
+}
+
+void PaperView::touch(QTouchEvent& event) {
+  const bool pen_is_near = since_pen_.isValid() && since_pen_.elapsed() < kPenGone_ms;
+  const auto& points = event.points();
+  int fingers = 0;
+  for (const auto& point : points) fingers += point.state() != QEventPoint::Released ? 1 : 0;
+  if (pen_is_near || event.type() == QEvent::TouchCancel || points.isEmpty() || fingers > 1) {
+    // A second finger, or the palm beside a pen, does not write.
+    if (finger_ && down_) {
+      down_ = false;
+      emit pen_lost();
+    }
+    finger_ = false;
+    return;
+  }
+  const QPointF at = points.front().position();
+  if (event.type() == QEvent::TouchBegin) finger_ = place_.rect.contains(at);
+  if (!finger_) return;
+  write(at, fingers == 1, event.timestamp(), calligraphy::assumed_tilt(left_hand_));
+  if (fingers == 0) finger_ = false;
+}
+
+bool PaperView::event(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+      // Accepted, otherwise Qt would make mouse events of a palm.
+      event->accept();
+      touch(static_cast<QTouchEvent&>(*event));
+      return true;
+    default:
+      return QWidget::event(event);
+  }
+}
+
+void PaperView::leaveEvent(QEvent* event) {
+  if (!down_) move_cursor({});
+  QWidget::leaveEvent(event);
+}
+
+void PaperView::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  update();
+}
+
+void PaperView::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  update();
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QAccessible>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPointingDevice>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTabletEvent>
+#include <QTimer>
+
+#include "brush/brush_page.h"
+#include "brush/paper_view.h"
+#include "characters/characters.h"
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+template <class T>
+std::unique_ptr<Page> make(WindowParts& parts) {
+  return std::make_unique<T>(parts);
+}
+
+BrushPage* the_page = nullptr;
+std::unique_ptr<Page> make_brush(WindowParts& parts) {
+  auto page = std::make_unique<BrushPage>(parts);
+  the_page = page.get();
+  return page;
+}
+
+class BrushWindow : public WindowTest {
+ protected:
+  BrushWindow() { pages_ = {make<Characters>, make_brush}; }
+  void SetUp() override {
+    WindowTest::SetUp();
+    press(Qt::Key_2, Qt::AltModifier);
+    ASSERT_NE(the_page->writing(), nullptr);
+    settle();
+  }
+  void TearDown() override {
+    window_.reset();
+    the_page = nullptr;
+  }
+
+  PaperView* paper() { return find<PaperView>("paper_view"); }
+  const calligraphy::SheetState& state() { return the_page->writing()->state(); }
+  void wait_until(const std::function<bool()>& met) {
+    EXPECT_TRUE(QTest::qWaitFor(met, 20000)) << feedback().toStdString();
+  }
+  /// Waits for what was asked of the other thread.
+  void settle() {
+    wait_until([] { return !the_page->writing()->is_waiting(); });
+  }
+  void key(Qt::Key which, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    press(which, modifiers);
+    settle();
+  }
+
+  /// A place on the sheet by shares of its side.
+  QPoint on_paper(double x, double y) {
+    const QRectF sheet = paper()->place().rect;
+    return QPointF(sheet.left() + x * sheet.width(), sheet.top() + y * sheet.height()).toPoint();
+  }
+  void send_mouse(QEvent::Type type, QPoint at, Qt::MouseButton button) {
+    QMouseEvent event(type, at, paper()->mapToGlobal(at), button,
+                      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+    event.setTimestamp(static_cast<quint64>(ms_ += 25));
+    QCoreApplication::sendEvent(paper(), &event);
+  }
+  void write_stroke(double y = 0.5) {
+    const int before = state().strokes;
+    send_mouse(QEvent::MouseButtonPress, on_paper(0.25, y), Qt::LeftButton);
+    constexpr int kMoves = 60;
+    for (int i = 1; i <= kMoves; ++i)
+      send_mouse(QEvent::MouseMove, on_paper(0.25 + 0.5 * i / kMoves, y), Qt::NoButton);
+    send_mouse(QEvent::MouseButtonRelease, on_paper(0.75, y), Qt::LeftButton);
+    wait_until([&] { return state().strokes == before + 1 && !state().is_writing; });
+    settle();
+  }
+  /// How dark the sheet is there, 0 paper to 255.
+  int darkness(double x, double y) {
+    const QImage& picture = paper()->picture();
+    return 255 - qGray(picture.pixel(static_cast<int>(x * picture.width()),
+                                     static_cast<int>(y * picture.height())));
+  }
+
+  qint64 ms_ = 1'000'000;
+};
+
+TEST_F(BrushWindow, AStrokeByMouseLeavesInkAndUndoTakesItAway) {
+  const int bare = darkness(0.5, 0.5);
+  write_stroke();
+  EXPECT_GT(darkness(0.5, 0.5), bare + 80);
+  EXPECT_LT(darkness(0.5, 0.9), bare + 10);
+  EXPECT_TRUE(action("brush_undo")->isEnabled());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(feedback(), QStringLiteral("Stroke 1 undone."));
+  EXPECT_LT(darkness(0.5, 0.5), bare + 10);
+  EXPECT_FALSE(action("brush_undo")->isEnabled());
+  key(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(feedback(), QStringLiteral("Stroke 1 redone."));
+  EXPECT_GT(darkness(0.5, 0.5), bare + 80);
+}
+
+TEST_F(BrushWindow, ASheetThatWasSavedOpensAgainWithTheSameBytes) {
+  write_stroke();
+  key(Qt::Key_D);  // a wet sheet would dry further between the two files
+  const QString path = folder_.filePath(QStringLiteral("one.nzs"));
+  the_page->write(path);
+  settle();
+  EXPECT_EQ(feedback(), QStringLiteral("Saved one.nzs."));
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("one.nzs – Nazori"));
+  key(Qt::Key_N, Qt::ControlModifier);
+  EXPECT_EQ(state().strokes, 0);
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("Brush – Nazori"));
+  press(Qt::Key_1, Qt::AltModifier);
+  window_->open_files({path});
+  settle();
+  EXPECT_TRUE(paper()->isVisible());
+  EXPECT_EQ(feedback(), QStringLiteral("Opened one.nzs."));
+  EXPECT_GT(darkness(0.5, 0.5), 80);
+  const QString again = folder_.filePath(QStringLiteral("two.nzs"));
+  the_page->write(again);
+  settle();
+  QFile first(path), second(again);
+  ASSERT_TRUE(first.open(QIODevice::ReadOnly));
+  ASSERT_TRUE(second.open(QIODevice::ReadOnly));
+  const QByteArray bytes = first.readAll();
+  EXPECT_GT(bytes.size(), 1000);
+  EXPECT_EQ(bytes, second.readAll());
+}
+
+TEST_F(BrushWindow, WhatCannotBeOpenedIsToldAndTheSheetStays) {
+  write_stroke();
+  window_->open_files({folder_.filePath(QStringLiteral("missing.nzs"))});
+  settle();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Could not open missing.nzs: ")))
+      << feedback().toStdString();
+  EXPECT_EQ(state().strokes, 1);
+  the_page->write(folder_.filePath(QStringLiteral("no/where.png")));
+  settle();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Could not save where.png: ")))
+      << feedback().toStdString();
+}
+
+TEST_F(BrushWindow, APictureIsSavedAsPng) {
+  the_page->write(folder_.filePath(QStringLiteral("one.png")));
+  settle();
+  EXPECT_EQ(QImage(folder_.filePath(QStringLiteral("one.png"))).size(), QSize(1024, 1024));
+}
+
+TEST_F(BrushWindow, ThePageComesBackAsItWasLeft) {
+  write_stroke();
+  press(Qt::Key_1, Qt::AltModifier);
+  EXPECT_TRUE(find("tablet")->isVisible());
+  EXPECT_FALSE(paper()->isVisible());
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_TRUE(paper()->isVisible());
+  EXPECT_EQ(state().strokes, 1);
+  EXPECT_GT(darkness(0.5, 0.5), 80);
+}
+
+TEST_F(BrushWindow, LeavingThePageEndsTheStroke) {
+  QTest::mousePress(paper(), Qt::LeftButton, {}, on_paper(0.3, 0.5));
+  wait_until([&] { return state().is_writing; });
+  press(Qt::Key_1, Qt::AltModifier);
+  wait_until([&] { return !state().is_writing; });
+  QTest::mouseRelease(paper(), Qt::LeftButton, {}, on_paper(0.3, 0.5));
+}
+
+TEST_F(BrushWindow, InkWaterAndClothByKeyAndByButton) {
+  key(Qt::Key_W);
+  EXPECT_EQ(feedback(), QStringLiteral("Dipped in water: the ink is paler."));
+  EXPECT_EQ(text("brush_words"), QStringLiteral("Brush: 100% full, ink 50%."));
+  find<QPushButton>("button_brush_wipe")->click();
+  settle();
+  EXPECT_EQ(text("brush_words"), QStringLiteral("Brush: 50% full, ink 50%."));
+  EXPECT_EQ(find("ink_gauge")->accessibleDescription(), text("brush_words"));
+  key(Qt::Key_I);
+  EXPECT_EQ(text("brush_words"), QStringLiteral("Brush: 100% full, ink 81%."));
+}
+
+TEST_F(BrushWindow, ABrushThatRunsDryIsToldOnce) {
+  for (int i = 0; i < 4; ++i) key(Qt::Key_X);
+  EXPECT_EQ(feedback(), QStringLiteral("The brush is almost dry. I: dip it in ink."));
+  key(Qt::Key_S);
+  key(Qt::Key_X);
+  EXPECT_EQ(feedback(), QStringLiteral("Wiped: half of the ink is gone."));
+}
+
+TEST_F(BrushWindow, InkAndPaperAreChosenInTheirBoxes) {
+  const auto choose = [this](const char* name, const char* data) {
+    auto* box = find<QComboBox>(name);
+    box->setCurrentIndex(box->findData(QString::fromLatin1(data)));
+    emit box->activated(box->currentIndex());
+    settle();
+  };
+  choose("brush_ink_box", "vermilion");
+  EXPECT_EQ(state().ink, "vermilion");
+  EXPECT_EQ(feedback(), QStringLiteral("Ink: Vermilion."));
+  choose("brush_paper_box", "water");
+  EXPECT_EQ(state().paper, "water");
+  EXPECT_EQ(find<QComboBox>("brush_ink_box")->currentText(), QStringLiteral("Water only"));
+  EXPECT_EQ(feedback(),
+            QStringLiteral("New sheet: Water paper (fades as it dries). Ctrl+Z brings the old one back."));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(find<QComboBox>("brush_paper_box")->currentText(), QStringLiteral("Hanshi (practice paper)"));
+}
+
+TEST_F(BrushWindow, ARulingTakesTheBrushThatFitsIt) {
+  EXPECT_EQ(state().brush.size, calligraphy::BrushSize::medium);
+  key(Qt::Key_R);
+  EXPECT_EQ(find<QComboBox>("brush_ruling_box")->currentData().toInt(), 2);
+  EXPECT_EQ(state().brush.size, calligraphy::BrushSize::small);
+  key(Qt::Key_BracketRight);
+  EXPECT_EQ(state().brush.size, calligraphy::BrushSize::medium);
+  EXPECT_EQ(feedback(), QStringLiteral("Brush: Medium, Mixed."));
+}
+
+TEST_F(BrushWindow, AScreenReaderHearsWhatIsOnThePaper) {
+  write_stroke();
+  key(Qt::Key_S);
+  EXPECT_TRUE(feedback().startsWith(
+      QStringLiteral("1 stroke, wet. Hanshi (practice paper). Model beneath: 休. Brush: ")))
+      << feedback().toStdString();
+  EXPECT_TRUE(paper()->accessibleDescription().startsWith(QStringLiteral("1 stroke, wet.")));
+  EXPECT_EQ(paper()->accessibleName(), QStringLiteral("Sheet of paper"));
+  key(Qt::Key_D);
+  EXPECT_EQ(feedback(), QStringLiteral("The sheet is dry."));
+  EXPECT_TRUE(paper()->accessibleDescription().startsWith(QStringLiteral("1 stroke, dry.")));
+}
+
+TEST_F(BrushWindow, EveryControlHasAName) {
+  for (auto* widget : find("brush_tools_panel")->findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith(QLatin1String("qt_")))
+      continue;
+    if (!widget->isVisibleTo(find("brush_tools_panel"))) continue;
+    auto* spoken = QAccessible::queryAccessibleInterface(widget);
+    ASSERT_NE(spoken, nullptr);
+    EXPECT_FALSE(spoken->text(QAccessible::Name).isEmpty()) << widget->objectName().toStdString();
+  }
+}
+
+TEST_F(BrushWindow, TypedTextIsTheModelInParts) {
+  key(Qt::Key_T);
+  auto* line = find<QLineEdit>("brush_text");
+  EXPECT_TRUE(line->hasFocus());
+  line->clear();
+  QTest::keyClicks(line, QString());
+  line->setText(QStringLiteral("一日"));
+  emit line->textEdited(line->text());
+  EXPECT_EQ(text("model_words"), QStringLiteral("Model beneath: 一. Part 1 of 2."));
+  QTest::keyClick(line, Qt::Key_Return);
+  EXPECT_TRUE(paper()->hasFocus());
+  key(Qt::Key_Period);
+  EXPECT_EQ(feedback(), QStringLiteral("Model beneath: 日. Part 2 of 2."));
+  key(Qt::Key_3);
+  EXPECT_EQ(feedback(), QStringLiteral("Model beside: 日. Part 2 of 2."));
+  key(Qt::Key_1);
+  EXPECT_EQ(feedback(), QStringLiteral("No model."));
+}
+
+TEST_F(BrushWindow, TheModelBesideLeavesRoomForTheSheet) {
+  const double alone = paper()->place().rect.width();
+  key(Qt::Key_3);
+  EXPECT_LT(paper()->place().rect.width(), alone);
+  EXPECT_GT(paper()->place().rect.width(), 0.5 * alone);
+  EXPECT_TRUE(QRectF(paper()->rect()).contains(paper()->place().rect));
+}
+
+TEST_F(BrushWindow, ChoicesAreThereAgainAfterARestart) {
+  key(Qt::Key_3);
+  key(Qt::Key_R);
+  key(Qt::Key_H);
+  find<QCheckBox>("box_brush_left_hand")->click();
+  window_->close();
+  window_ = std::make_unique<MainWindow>(setup(), appearance_);
+  window_->show();
+  settle();
+  EXPECT_TRUE(action("brush_model_beside")->isChecked());
+  EXPECT_TRUE(action("brush_left_hand")->isChecked());
+  EXPECT_EQ(find<QComboBox>("brush_ruling_box")->currentData().toInt(), 2);
+  EXPECT_EQ(state().brush.hair, brush::Hair::weasel);
+  EXPECT_EQ(state().brush.size, calligraphy::BrushSize::small);
+}
+
+TEST_F(BrushWindow, APenPressesByItsPressureAndItsOtherEndUndoes) {
+  const QPointingDevice pen(QStringLiteral("pen"), 7, QInputDevice::DeviceType::Stylus,
+                            QPointingDevice::PointerType::Pen,
+                            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure |
+                                QInputDevice::Capability::XTilt | QInputDevice::Capability::YTilt,
+                            1, 2);
+  const QPointingDevice eraser(QStringLiteral("eraser"), 8, QInputDevice::DeviceType::Stylus,
+                               QPointingDevice::PointerType::Eraser, QInputDevice::Capability::Position, 1,
+                               2);
+  const auto send = [&](QEvent::Type type, const QPointingDevice& device, double x, double y, double pressure,
+                        Qt::MouseButton button) {
+    const QPointF at = on_paper(x, y);
+    QTabletEvent event(type, &device, at, paper()->mapToGlobal(at), pressure, 20, 10, 0, 0, 0, {}, button,
+                       Qt::LeftButton);
+    event.setTimestamp(static_cast<quint64>(ms_ += 15));
+    QCoreApplication::sendEvent(paper(), &event);
+  };
+  const auto stroke = [&](double y, double pressure) {
+    const int before = state().strokes;
+    send(QEvent::TabletPress, pen, 0.2, y, pressure, Qt::LeftButton);
+    for (int i = 1; i <= 30; ++i) send(QEvent::TabletMove, pen, 0.2 + 0.02 * i, y, pressure, Qt::NoButton);
+    send(QEvent::TabletRelease, pen, 0.8, y, 0, Qt::LeftButton);
+    wait_until([&] { return state().strokes == before + 1 && !state().is_writing; });
+  };
+  const auto width = [&](double y) {
+    int dark = 0;
+    for (double at = y - 0.15; at < y + 0.15; at += 0.002) dark += darkness(0.5, at) > 90 ? 1 : 0;
+    return dark;
+  };
+  stroke(0.25, 0.15);
+  stroke(0.7, 0.8);
+  EXPECT_GT(width(0.7), 1.4 * width(0.25));
+  send(QEvent::TabletPress, eraser, 0.5, 0.5, 1, Qt::LeftButton);
+  wait_until([&] { return state().strokes == 1; });
+}
+
+TEST_F(BrushWindow, ASheetThatIsNotSavedIsAskedAboutOnClosing) {
+  write_stroke();
+  QString asked;
+  const auto answer = [&](const QString& words) {
+    QTimer::singleShot(0, window_.get(), [&, words] {
+      auto* box = window_->findChild<QMessageBox*>(QStringLiteral("unsaved_sheet_box"));
+      ASSERT_NE(box, nullptr);
+      asked = box->text();
+      for (auto* button : box->buttons())
+        if (button->text() == words) button->click();
+    });
+  };
+  answer(QStringLiteral("Go back"));
+  EXPECT_FALSE(window_->close());
+  EXPECT_EQ(asked, QStringLiteral("The sheet with your brush writing is not saved."));
+  answer(QStringLiteral("Do not save"));
+  EXPECT_TRUE(window_->close());
+}
+
+TEST_F(BrushWindow, TheSheetIsCarvedAsATabletOfTheLearnersOwn) {
+  write_stroke();
+  press(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+  wait_until([this] { return find("tablet")->isVisible(); });
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("Brush sheet – Nazori"));
+}
+
+TEST_F(BrushWindow, ThePanelHoldsTheLargestTextInBothLanguages) {
+  for (const char* language : {"en", "ja"}) {
+    press(Qt::Key_1, Qt::AltModifier);  // the window opens with the page that was shown last
+    window_->close();
+    install_language(QString::fromLatin1(language));
+    open_window();
+    press(Qt::Key_2, Qt::AltModifier);
+    settle();
+    for (const int text_pt : {Preferences::kMinText_pt, Preferences::kMaxText_pt}) {
+      for (const int width : {800, 1600}) {
+        set_text_size(text_pt, width, 800);
+        const auto* area = find<QScrollArea>("brush_tools_panel");
+        const QWidget* content = area->widget();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return content->width() <= area->viewport()->width(); }))
+            << content->width() << " in " << area->viewport()->width() << ' ' << width << ' ' << text_pt
+            << ' ' << language;
+        EXPECT_GE(paper()->place().rect.width(), 150) << width << ' ' << text_pt;
+        for (const auto* child : content->findChildren<QWidget*>())
+          if (child->isVisible()) {
+            EXPECT_LE(child->mapTo(content, QPoint(child->width(), 0)).x(), content->width())
+                << child->objectName().toStdString();
+          }
+      }
+    }
+  }
+  install_language(QStringLiteral("en"));
+}
+
+TEST_F(BrushWindow, NoKeyIsGivenTwice) {
+  QStringList keys;
+  for (const auto* entry : window_->findChildren<QAction*>())
+    if (entry->isVisible())
+      for (const auto& shortcut : entry->shortcuts()) keys.append(shortcut.toString());
+  EXPECT_GT(keys.size(), 30);
+  QStringList twice = keys;
+  EXPECT_EQ(twice.removeDuplicates(), 0) << keys.join(QLatin1Char(' ')).toStdString();
+}
+
+}  // namespace
+}  // namespace nazori::ui
