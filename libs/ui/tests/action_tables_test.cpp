@@ -6,9 +6,9 @@
 #include <QActionGroup>
 #include <QWidget>
 
-#include "brush/brush_actions.h"
 #include "characters/character_actions.h"
 #include "learners/learner_actions.h"
+#include "nazori/studio/brush/brush_actions.h"
 #include "progress/progress_actions.h"
 #include "start/check_page.h"
 #include "start/start_page.h"

@@ -16,13 +16,13 @@
 #include "nazori/practice/study_charts.h"
 #include "nazori/widgets/charts/day_chart.h"
 #include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/controls/list_choice.h"
 #include "progress/characters_card.h"
 #include "progress/hard_strokes_card.h"
 #include "progress/progress_view.h"
 #include "progress/strength_grid.h"
 #include "progress/year_view.h"
 #include "session_under_test.h"
-#include "study/list_choice.h"
 #include "window/language.h"
 
 namespace nazori::ui {

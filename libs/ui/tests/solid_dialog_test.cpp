@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Models to touch from the window: of a character, of a tablet of one's own, of a plot.
-#include "print/solid_dialog.h"
+#include "nazori/studio/print/solid_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -11,7 +11,7 @@
 #include <cstring>
 
 #include "functions_window.h"
-#include "print/relief_view.h"
+#include "nazori/studio/print/relief_view.h"
 
 namespace nazori::ui {
 namespace {

@@ -18,8 +18,8 @@
 
 #include "nazori/practice/list_members.h"
 #include "nazori/study/statistics.h"
+#include "nazori/widgets/controls/list_choice.h"
 #include "session_under_test.h"
-#include "study/list_choice.h"
 #include "window/language.h"
 
 namespace nazori::ui {

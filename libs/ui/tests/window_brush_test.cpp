@@ -11,9 +11,9 @@
 #include <QTabletEvent>
 #include <QTimer>
 
-#include "brush/brush_page.h"
-#include "brush/paper_view.h"
 #include "characters/characters.h"
+#include "nazori/studio/brush/brush_page.h"
+#include "nazori/studio/brush/paper_view.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

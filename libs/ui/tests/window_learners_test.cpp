@@ -20,9 +20,9 @@
 #include "nazori/study/backups.h"
 #include "nazori/study/exchange.h"
 #include "nazori/study/profiles.h"
+#include "nazori/widgets/controls/list_choice.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/words/learner_words.h"
-#include "study/list_choice.h"
 #include "study/study_dialogs.h"
 #include "window_under_test.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Printing from the window: the dialog, its preview against the pages of the PDF as poppler draws them, and
 // the file.
-#include "print/worksheet_dialog.h"
+#include "nazori/studio/print/worksheet_dialog.h"
 
 #include <QAccessible>
 #include <QCheckBox>
@@ -15,9 +15,9 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "nazori/studio/print/page_view.h"
+#include "nazori/widgets/controls/list_choice.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "print/page_view.h"
-#include "study/list_choice.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

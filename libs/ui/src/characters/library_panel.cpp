@@ -19,12 +19,12 @@
 #include "characters/character_tile_delegate.h"
 #include "characters/table_picker.h"
 #include "nazori/kanji/query_text.h"
+#include "nazori/widgets/controls/list_choice.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/events/signals.h"
 #include "nazori/widgets/look/icons.h"
 #include "nazori/widgets/look/palette.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "study/list_choice.h"
 
 namespace nazori::ui {
 

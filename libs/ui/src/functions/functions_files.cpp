@@ -7,9 +7,9 @@
 #include "functions/functions_page.h"
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
+#include "nazori/studio/print/solid_dialog.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/words/error_text.h"
-#include "print/solid_dialog.h"
 
 namespace nazori::ui {
 

@@ -7,9 +7,9 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "nazori/widgets/controls/list_choice.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "study/list_choice.h"
 
 namespace nazori::ui {
 namespace {

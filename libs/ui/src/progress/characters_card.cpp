@@ -9,11 +9,11 @@
 #include "nazori/practice/list_members.h"
 #include "nazori/practice/strengths.h"
 #include "nazori/widgets/charts/study_charts.h"
+#include "nazori/widgets/controls/list_choice.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
 #include "progress/strength_grid.h"
-#include "study/list_choice.h"
 
 namespace nazori::ui {
 

@@ -8,9 +8,9 @@
 #include "nazori/kanji/kana_sound.h"
 #include "nazori/kanji/kun_reading.h"
 #include "nazori/kanji/meanings.h"
+#include "nazori/widgets/controls/list_choice.h"
 #include "nazori/widgets/words/kanji_text.h"
 #include "nazori/widgets/words/study_words.h"
-#include "study/list_choice.h"
 
 namespace nazori::ui {
 namespace {

@@ -12,10 +12,10 @@
 #include <algorithm>
 
 #include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/widgets/controls/list_choice.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "study/list_choice.h"
 #include "study/new_list_dialog.h"
 #include "study/study_settings_dialog.h"
 

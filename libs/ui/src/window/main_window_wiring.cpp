@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "nazori/practice/session_question.h"
+#include "nazori/studio/print/worksheet_dialog.h"
 #include "nazori/widgets/controls/feedback_line.h"
 #include "nazori/widgets/controls/panes.h"
 #include "nazori/widgets/controls/status_line.h"
@@ -17,7 +18,6 @@
 #include "nazori/widgets/tablet/tablet_window.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "print/worksheet_dialog.h"
 #include "window/actions.h"
 #include "window/main_window_inside.h"
 #include "window/page_rail.h"

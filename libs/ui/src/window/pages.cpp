@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brush/brush_page.h"
 #include "characters/characters.h"
 #include "device/device_page.h"
 #include "functions/functions_page.h"
+#include "nazori/studio/brush/brush_page.h"
 #include "nazori/widgets/page/page.h"
 #include "progress/progress.h"
 #include "start/check_page.h"

@@ -3,7 +3,7 @@
 
 #include <QScrollArea>
 
-#include "brush/paper_view.h"
+#include "nazori/studio/brush/paper_view.h"
 
 class QCheckBox;
 class QComboBox;

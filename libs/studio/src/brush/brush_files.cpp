@@ -7,9 +7,9 @@
 #include <QPushButton>
 #include <utility>
 
-#include "brush/brush_actions.h"
-#include "brush/brush_page.h"
-#include "brush/brush_words.h"
+#include "nazori/studio/brush/brush_actions.h"
+#include "nazori/studio/brush/brush_page.h"
+#include "nazori/studio/brush/brush_words.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"

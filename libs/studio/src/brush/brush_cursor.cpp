@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brush/brush_cursor.h"
+#include "nazori/studio/brush/brush_cursor.h"
 
 #include <QLinearGradient>
 #include <QPainter>

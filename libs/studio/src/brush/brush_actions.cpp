@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brush/brush_actions.h"
+#include "nazori/studio/brush/brush_actions.h"
 
 namespace nazori::ui {
 

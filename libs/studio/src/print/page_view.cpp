@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print/page_view.h"
+#include "nazori/studio/print/page_view.h"
 
 #include <QAccessible>
 #include <QAccessibleWidget>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brush/brush_page.h"
+#include "nazori/studio/brush/brush_page.h"
 
 #include <QHBoxLayout>
 #include <QSettings>
 #include <algorithm>
 #include <array>
 
-#include "brush/brush_actions.h"
-#include "brush/brush_words.h"
-#include "brush/tools_panel.h"
+#include "nazori/studio/brush/brush_actions.h"
+#include "nazori/studio/brush/brush_words.h"
+#include "nazori/studio/brush/tools_panel.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/events/signals.h"
 #include "nazori/widgets/page/window_parts.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print/worksheet_options.h"
+#include "nazori/studio/print/worksheet_options.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -11,9 +11,9 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "nazori/widgets/controls/list_choice.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "study/list_choice.h"
 
 namespace nazori::ui {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "brush/tools_panel.h"
+#include "nazori/studio/brush/tools_panel.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -13,8 +13,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "brush/brush_actions.h"
-#include "brush/brush_words.h"
+#include "nazori/studio/brush/brush_actions.h"
+#include "nazori/studio/brush/brush_words.h"
 #include "nazori/widgets/controls/flow_layout.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/look/palette.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print/worksheet_dialog.h"
+#include "nazori/studio/print/worksheet_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "nazori/studio/print/page_view.h"
+#include "nazori/studio/print/worksheet_options.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/controls/spoken_line.h"
 #include "nazori/widgets/dialogs/work_dialog.h"
@@ -26,8 +28,6 @@
 #include "nazori/widgets/settings/stored_settings.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "print/page_view.h"
-#include "print/worksheet_options.h"
 
 namespace nazori::ui {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the sheet is drawn.
-#include "brush/paper_view.h"
+#include "nazori/studio/brush/paper_view.h"
 
 #include <QAccessible>
 #include <QAccessibleWidget>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print/relief_view.h"
+#include "nazori/studio/print/relief_view.h"
 
 #include <QFontInfo>
 #include <QPainter>

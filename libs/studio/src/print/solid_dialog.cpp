@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print/solid_dialog.h"
+#include "nazori/studio/print/solid_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -20,6 +20,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "nazori/studio/print/relief_view.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/controls/spoken_line.h"
 #include "nazori/widgets/events/signals.h"
@@ -27,7 +28,6 @@
 #include "nazori/widgets/settings/stored_settings.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "print/relief_view.h"
 
 namespace nazori::ui {
 namespace {

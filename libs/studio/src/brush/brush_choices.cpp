@@ -2,10 +2,10 @@
 // What the learner chooses on the page for the brush: actions, panel and paper.
 #include <algorithm>
 
-#include "brush/brush_actions.h"
-#include "brush/brush_page.h"
-#include "brush/brush_words.h"
-#include "brush/tools_panel.h"
+#include "nazori/studio/brush/brush_actions.h"
+#include "nazori/studio/brush/brush_page.h"
+#include "nazori/studio/brush/brush_words.h"
+#include "nazori/studio/brush/tools_panel.h"
 #include "nazori/widgets/page/window_parts.h"
 
 namespace nazori::ui {

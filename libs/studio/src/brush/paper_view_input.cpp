@@ -5,7 +5,7 @@
 #include <QTouchEvent>
 #include <numbers>
 
-#include "brush/paper_view.h"
+#include "nazori/studio/brush/paper_view.h"
 
 namespace nazori::ui {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "brush/paper_view.h"
 #include "nazori/calligraphy/brush_writing.h"
+#include "nazori/studio/brush/paper_view.h"
 #include "nazori/widgets/events/event_loop_inbox.h"
 #include "nazori/widgets/page/page.h"
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "brush/brush_cursor.h"
 #include "nazori/calligraphy/brush_writing.h"
 #include "nazori/calligraphy/ruling.h"
+#include "nazori/studio/brush/brush_cursor.h"
 
 namespace nazori::ui {
 

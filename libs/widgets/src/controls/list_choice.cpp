@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/list_choice.h"
+#include "nazori/widgets/controls/list_choice.h"
 
 #include <QSignalBlocker>
 #include <QStandardItemModel>
