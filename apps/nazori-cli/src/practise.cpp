@@ -114,7 +114,11 @@ void Practice::connect() {
     has_failed_ = true;
     events_.push_back(exchange::error_event(error));
   });
-  session_.character_wanted.connect([this](char32_t character) { coming_ = character; });
+  session_.character_wanted.connect([this](char32_t character) {
+    // A character that lies on the tablet is studied at once: it has been shown before this is called.
+    const bool is_there = practice_.sheet() && practice_.sheet()->character.code_point == character;
+    coming_ = is_there ? 0 : character;
+  });
   session_.changed.connect([this] { report_session(); });
   session_.announced.connect([this](const practice::SessionFeedback& what) { report(what); });
 }

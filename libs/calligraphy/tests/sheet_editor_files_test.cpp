@@ -2,6 +2,7 @@
 #include "nazori/calligraphy/sheet_editor.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <filesystem>
 #include <functional>
@@ -21,9 +22,14 @@ namespace fs = std::filesystem;
 
 class SheetEditorFiles : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
+  // Tests run beside each other: each has a folder of its own.
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "nazori-calligraphy-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
   void TearDown() override { fs::remove_all(folder_); }
-  fs::path folder_ = fs::path(testing::TempDir()) / "calligraphy_editor";
+  fs::path folder_;
 };
 
 TEST_F(SheetEditorFiles, TheBrushIsDippedInTheSameInkWhereverItIsInAnOpenedSheet) {
