@@ -9,9 +9,9 @@
 
 namespace nazori::functions {
 
-/// The numbers of the ticks, on the tablet: those of x below their axis, those of y to the left of it. An axis
-/// at the edge of the window has them on its other side. 0 stands once, where the axes cross. None where the
-/// ticks are not shown, and none on the frame.
+/// The numbers of the ticks, on the tablet: those of x below their axis, those of y to the left of it. An
+/// axis at the edge of the window has them on its other side. 0 stands once, where the axes cross. None where
+/// the ticks are not shown, and none on the frame.
 [[nodiscard]] std::vector<geometry::Label> axis_labels(const Window& window, const Layers& layers,
                                                        const geometry::TabletShape& shape = {});
 

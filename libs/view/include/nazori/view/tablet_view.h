@@ -128,7 +128,8 @@ class TabletView {
   void set_height_map(const surface::HeightMap& map, const geometry::TabletShape& shape = {});
   /// The lines to be drawn and numbered: strokes of a character in their order, or curves.
   void set_strokes(std::vector<geometry::Polyline<geometry::GlyphFrame>> lines);
-  /// Texts beside points of the face. One that would cover an earlier one, or leave the picture, is not drawn.
+  /// Texts beside points of the face. One that would cover an earlier one, or leave the picture, is not
+  /// drawn.
   void set_labels(std::vector<geometry::Label> labels);
   void set_style(Style style);
   void set_theme(Theme theme);
