@@ -160,7 +160,7 @@ base::Result<void> Practice::show(char32_t character, std::string_view stage) {
 base::Result<void> Practice::execute(const Json& json) {
   const auto request = exchange::read_practice_request(json);
   if (!request) return tl::unexpected(request.error());
-  const auto done = std::visit([this](const auto& what) { return obey(what); }, *request);
+  auto done = std::visit([this](const auto& what) { return obey(what); }, *request);
   wait();
   return done;
 }

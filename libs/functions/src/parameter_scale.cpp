@@ -8,7 +8,7 @@ namespace nazori::functions {
 
 ParameterScale::ParameterScale(const Parameter& parameter) : from_(parameter.from), to_(parameter.to) {
   // Halves, so that the width of the widest range is not infinite.
-  const double least = (to_ / 2 - from_ / 2) / (kMostSteps / 2);
+  const double least = (to_ / 2 - from_ / 2) / (kMostSteps / 2.0);
   if (!(least > 0)) return;
   const int power = static_cast<int>(std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0, 10.0}) {

@@ -313,7 +313,7 @@ void StudySession::announce(SessionFeedback::Kind kind, const base::Error& error
   announced(event);
 }
 
-void StudySession::announce_event(SessionFeedback event) {
+void StudySession::announce_event(const SessionFeedback& event) {
   last_event_ = event;
   announced(event);
 }

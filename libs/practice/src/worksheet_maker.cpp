@@ -39,6 +39,7 @@ class Bench {
               ? characters_of_text(choice.text, [this](char32_t c) { return database_->draws(c); })
               : request.characters;
       std::vector<kanji::CharacterName> names;
+      names.reserve(code_points.size());
       for (const char32_t c : code_points) names.push_back({c, {}});
       characters = sheet_characters(*database_, names, settings);
       if (database_->trouble()) return tl::unexpected(*database_->trouble());
@@ -138,11 +139,11 @@ struct WorksheetMaker::Inside {
               };
               return Saved{asked.path, write(*bench, asked, progress)};
             },
-            [&maker](const Saved& saved) {
-              if (saved.pages)
-                maker.saved(saved.path, *saved.pages);
+            [&maker](const Saved& answer) {
+              if (answer.pages)
+                maker.saved(answer.path, *answer.pages);
               else
-                maker.not_saved(saved.path, saved.pages.error());
+                maker.not_saved(answer.path, answer.pages.error());
             },
             [&maker](int percent) { maker.progressed(percent); }) {}
 
@@ -152,7 +153,7 @@ struct WorksheetMaker::Inside {
   base::Latest<SaveRequest, Saved, int> files;
 };
 
-WorksheetMaker::WorksheetMaker(base::Inbox& inbox, fs::path database)
+WorksheetMaker::WorksheetMaker(base::Inbox& inbox, const fs::path& database)
     : inside_(std::make_unique<Inside>(*this, inbox, database)) {}
 
 WorksheetMaker::~WorksheetMaker() = default;

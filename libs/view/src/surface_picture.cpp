@@ -191,7 +191,9 @@ PlainFace make_plain_face(const Look& look, int samples) {
   plain.look = look;
   plain.rim = static_cast<int>(std::lround(samples * kRimFraction));
   plain.size = samples + 2 * plain.rim;
-  plain.rgba.resize(static_cast<std::size_t>(plain.size) * static_cast<std::size_t>(plain.size) * 4);
+  const std::size_t texels = static_cast<std::size_t>(plain.size) * static_cast<std::size_t>(plain.size);
+  plain.rgba.resize(texels * 4);
+  plain.grain.resize(texels);
   const Material material(look.style, look.theme);
   const GammaCoder& code = gamma_coder();
   const std::uint8_t light = code(1 / kLightRange);
@@ -202,7 +204,10 @@ PlainFace make_plain_face(const Look& look, int samples) {
       for (int x = 0; x < plain.size; ++x, out += 4) {
         const glm::vec3 point(static_cast<float>(x - plain.rim) * step_m - 0.05F,
                               0.05F - static_cast<float>(y - plain.rim) * step_m, 0);
-        const glm::vec3 colour = material.reflectance(point, 0) * (kKeyTint * kKey + kSkyTint * kAmbient);
+        const Grain grain = material.grain({point.x, point.y});
+        plain.grain[out / 4] = grain;
+        const glm::vec3 colour =
+            material.reflectance(grain, point, 0) * (kKeyTint * kKey + kSkyTint * kAmbient);
         plain.rgba[out] = code(colour.x);
         plain.rgba[out + 1] = code(colour.y);
         plain.rgba[out + 2] = code(colour.z);
@@ -263,7 +268,7 @@ SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::Tablet
         const float ambient = kAmbient * sky;
         const glm::vec3 point(static_cast<float>(column) * step_m - 0.05F,
                               0.05F - static_cast<float>(row) * step_m, (height - 1) * depth_m);
-        const glm::vec3 albedo = material.reflectance(point, 1 - height);
+        const glm::vec3 albedo = material.reflectance(plain.grain[out], point, 1 - height);
         // Light that reaches a deep place was reflected by the walls and has their colour.
         const glm::vec3 bounce = albedo * ((1 - sky) * kBounce);
         const glm::vec3 colour = albedo * (kKeyTint * lit + kSkyTint * ambient + bounce);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "material.h"
 #include "nazori/view/tablet_view.h"
 
 namespace nazori::view {
@@ -41,6 +42,7 @@ struct PlainFace {
   int size = 0;  ///< texels a side, rim included
   int rim = 0;
   std::vector<std::uint8_t> rgba;
+  std::vector<Grain> grain;  ///< below each texel, rim included
 };
 
 /// Samples a side at which a map is shaded: 1,024 for maps up to that size, above that up to 2,048.

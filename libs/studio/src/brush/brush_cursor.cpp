@@ -17,8 +17,8 @@ constexpr QPointF kRise(0.20, -0.42);
 constexpr QPointF kShade(0.16, 0.10);
 constexpr double kShaft_m = 0.075;  ///< length that is drawn; it fades out
 constexpr double kHairLines = 9;
-const QColor kHairColour(58, 46, 38);
-const QColor kBamboo(196, 160, 104), kBambooEdge(128, 96, 54);
+constexpr QColor kHairColour(58, 46, 38);
+constexpr QColor kBamboo(196, 160, 104), kBambooEdge(128, 96, 54);
 
 /// The hair as a ribbon on the screen.
 struct Ribbon {

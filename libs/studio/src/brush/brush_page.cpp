@@ -19,8 +19,6 @@
 namespace nazori::ui {
 namespace {
 
-using calligraphy::BrushSize;
-
 constexpr int kFrame_ms = 16;
 constexpr double kAlmostDry = 0.12;
 constexpr std::array<std::string_view, 3> kPlaces{"none", "beneath", "beside"};
@@ -232,7 +230,7 @@ QString BrushPage::model_words() const {
   if (choice_.place == ModelPlace::none) return tr("No model.");
   QString text;
   for (const char32_t c : models()) text += to_text(c);
-  const QString words = choice_.place == ModelPlace::beneath ? tr("Model beneath: %1.").arg(text)
+  QString words = choice_.place == ModelPlace::beneath ? tr("Model beneath: %1.").arg(text)
                                                              : tr("Model beside: %1.").arg(text);
   const int sheets = calligraphy::sheets_of(model_text(), std::max(choice_.ruling, 1));
   if (sheets <= 1) return words;

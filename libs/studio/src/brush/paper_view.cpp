@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kMargin_px = 14;
 constexpr double kBesideShare = 0.5;  ///< side of the model beside the sheet over that of the sheet, at least
-const QColor kModelColour(242, 196, 182), kRuleColour(226, 178, 162), kModelInk(60, 52, 46);
+constexpr QColor kModelColour(242, 196, 182), kRuleColour(226, 178, 162), kModelInk(60, 52, 46);
 constexpr int kDarkness = 84;  ///< of the sheet in the dark theme, of 255
 
 /// Strokes as they are filled: a disc at each point and a band to the next one.

@@ -72,6 +72,7 @@ void Characters::connect_standing() {
     dialog.exec();
     if (!dialog.wants_to_write()) return;
     std::vector<char32_t> characters;
+    characters.reserve(facts.size());
     for (const auto& one : facts) characters.push_back(one.character);
     auto& session = parts().session();
     if (session.is_running()) session.end();

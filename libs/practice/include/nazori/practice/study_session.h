@@ -139,7 +139,7 @@ class StudySession {
   [[nodiscard]] SessionFeedback about_character(SessionFeedback::Kind kind) const;
   void announce(SessionFeedback::Kind kind, const base::Error& error = {});
   /// Announces it, and keeps it for those who look later: the next task may have feedback of its own at once.
-  void announce_event(SessionFeedback event);
+  void announce_event(const SessionFeedback& event);
 
   Learner& learner_;
   State state_ = State::idle;

@@ -38,7 +38,7 @@ struct WorksheetView {
 class WorksheetMaker {
  public:
   /// @param inbox  outlives this. @param database  kanji.db; opened by the other thread.
-  WorksheetMaker(base::Inbox& inbox, std::filesystem::path database);
+  WorksheetMaker(base::Inbox& inbox, const std::filesystem::path& database);
   ~WorksheetMaker();
   WorksheetMaker(const WorksheetMaker&) = delete;
   WorksheetMaker& operator=(const WorksheetMaker&) = delete;
