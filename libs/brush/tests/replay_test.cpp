@@ -74,6 +74,24 @@ TEST(PenToHolder, WithoutPressureASlowHandPressesAndAFastOneDoesNot) {
   EXPECT_NEAR(guessed(std::sqrt(0.02 * 0.4), 1, 100), (kSlowPressure + kFastPressure) / 2, 1e-3);
 }
 
+TEST(PenToHolder, IsAtFirstHandledAsTheHeaderSays) {
+  EXPECT_EQ(kSlowPressure, 0.75);
+  EXPECT_EQ(kFastPressure, 0.15);
+  const Handling handling;
+  EXPECT_EQ(handling.full_depth, 0.35);
+  EXPECT_EQ(handling.lifted_m, 0.005);
+  EXPECT_TRUE(handling.guess_pressure);
+  EXPECT_EQ(handling.steady_pressure, 0.5);
+  EXPECT_EQ(handling.slow_m_s, 0.02);
+  EXPECT_EQ(handling.fast_m_s, 0.40);
+  EXPECT_EQ(handling.settles_s, 0.06);
+  // An upright brush that just touches.
+  const HolderPose pose;
+  for (const double value :
+       {pose.time_s, pose.at.x, pose.at.y, pose.depth_m, pose.lean_rad, pose.lean_to_rad, pose.twist_rad})
+    EXPECT_EQ(value, 0);
+}
+
 TEST(PenToHolder, TheGuessBeginsAtNothingAndSettlesWhateverTheRateOfReports) {
   EXPECT_EQ(guessed(0.1, 0, 100), 0);
   EXPECT_NEAR(guessed(0.01, 0.06, 1000), kSlowPressure * (1 - std::exp(-1)), 1e-9);

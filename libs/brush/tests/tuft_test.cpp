@@ -66,47 +66,6 @@ double area_mm2(const Swept& swept, double left = -1, double right = 1) {
   return count * 0.01;
 }
 
-TEST(TuftForm, HasTheSizesOfTheNumbers) {
-  EXPECT_DOUBLE_EQ(tuft_form(1)->shaft_m, 0.015);
-  EXPECT_DOUBLE_EQ(tuft_form(2)->shaft_m, 0.0145);
-  EXPECT_DOUBLE_EQ(tuft_form(3)->shaft_m, 0.013);
-  EXPECT_DOUBLE_EQ(tuft_form(4)->shaft_m, 0.011);
-  EXPECT_DOUBLE_EQ(tuft_form(5)->shaft_m, 0.010);
-  EXPECT_DOUBLE_EQ(tuft_form(6)->shaft_m, 0.0085);
-  for (int number = kThickestBrush; number <= kThinnestBrush; ++number) {
-    const auto ratio = [&](HairLength length) {
-      const TuftForm form = *tuft_form(number, Hair::goat, length);
-      return form.hair_m / form.shaft_m;
-    };
-    EXPECT_GE(ratio(HairLength::short_hair), 3.5);
-    EXPECT_LT(ratio(HairLength::short_hair), 4.5);
-    EXPECT_GE(ratio(HairLength::medium_hair), 4.5);
-    EXPECT_LT(ratio(HairLength::medium_hair), 5.5);
-    EXPECT_GE(ratio(HairLength::long_hair), 5.5);
-    EXPECT_LE(ratio(HairLength::long_hair), 8);
-  }
-}
-
-TEST(TuftForm, ThereIsNoBrushBeyondTheNumbers) {
-  for (const int number : {0, 7, -1}) {
-    const auto form = tuft_form(number);
-    ASSERT_FALSE(form.has_value());
-    EXPECT_EQ(form.error().code, base::Errc::bad_argument);
-  }
-}
-
-TEST(TuftForm, WeaselIsStifferThanGoatAndKeepsLessOfItsBend) {
-  const TuftForm goat = *tuft_form(4, Hair::goat), mixed = *tuft_form(4, Hair::mixed),
-                 weasel = *tuft_form(4, Hair::weasel);
-  EXPECT_LT(goat.stiffness_n_m2, mixed.stiffness_n_m2);
-  EXPECT_LT(mixed.stiffness_n_m2, weasel.stiffness_n_m2);
-  EXPECT_GT(goat.friction(1).keeps_rad, weasel.friction(1).keeps_rad);
-  EXPECT_GT(goat.friction(1).keeps_rad, goat.friction(0).keeps_rad);
-  EXPECT_NEAR(goat.friction(0.5).paper, (goat.friction(0).paper + goat.friction(1).paper) / 2, 1e-12);
-  EXPECT_GT(goat.friction(0).paper, goat.friction(1).paper);
-  EXPECT_DOUBLE_EQ(goat.friction(7).paper, goat.friction(1).paper);
-}
-
 TEST(Tuft, TouchesNothingInTheAir) {
   Tuft tuft(number_4());
   Swept swept;

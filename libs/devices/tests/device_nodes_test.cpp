@@ -5,6 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace nazori::devices {
 namespace {
@@ -26,6 +29,52 @@ TEST(DeviceNodes, AreTheEntriesOfTheFolderWithThosePrefixes) {
   EXPECT_TRUE(nodes.front().open);
   EXPECT_FALSE(nodes.front().group.empty());
   EXPECT_TRUE(device_nodes("/nowhere/at/all", {"null"}).empty());
+}
+
+/// A folder with empty files, gone with the test.
+class FolderOfNodes : public testing::Test {
+ protected:
+  FolderOfNodes() { std::filesystem::create_directories(root_); }
+  ~FolderOfNodes() override { std::filesystem::remove_all(root_); }
+  void add(const std::string& name, std::filesystem::perms mode = std::filesystem::perms(0660)) const {
+    std::ofstream(root_ / name) << "";
+    std::filesystem::permissions(root_ / name, mode);
+  }
+  [[nodiscard]] std::vector<std::string> names(const std::vector<std::string_view>& prefixes) const {
+    std::vector<std::string> names;
+    for (const DeviceNode& node : device_nodes(root_, prefixes))
+      names.push_back(node.path.filename().string());
+    return names;
+  }
+  const std::filesystem::path root_ = std::filesystem::path(testing::TempDir()) / "nazori-nodes";
+};
+
+TEST_F(FolderOfNodes, GivesThemByNameInWhicheverOrderTheyCame) {
+  for (const char* name : {"raw3", "raw1", "ttyS0", "hid2", "raw2", "ttyS9", "hid0", "ttyS5", "raw0", "hid1",
+                           "other", "xraw4", "hi3", "ttyS2"})
+    add(name);
+  EXPECT_EQ(names({"ttyS", "hid", "raw"}),
+            (std::vector<std::string>{"hid0", "hid1", "hid2", "raw0", "raw1", "raw2", "raw3", "ttyS0",
+                                      "ttyS2", "ttyS5", "ttyS9"}));
+  EXPECT_EQ(names({"hid2"}), std::vector<std::string>{"hid2"});
+  EXPECT_TRUE(names({}).empty());
+}
+
+TEST_F(FolderOfNodes, TheGroupMayUseANodeThatItMayBothReadAndWrite) {
+  const auto open_to_group = [this](int mode) {
+    add("node", std::filesystem::perms(mode));
+    return device_nodes(root_, {"node"}).at(0).group_open;
+  };
+  EXPECT_TRUE(open_to_group(0660));
+  EXPECT_TRUE(open_to_group(0677));
+  EXPECT_FALSE(open_to_group(0640));
+  EXPECT_FALSE(open_to_group(0626));
+  EXPECT_FALSE(open_to_group(0606));
+}
+
+TEST_F(FolderOfNodes, ALinkToNothingIsNoNode) {
+  std::filesystem::create_symlink(root_ / "gone", root_ / "link");
+  EXPECT_TRUE(names({"link"}).empty());
 }
 
 TEST(UsbVendor, IsReadFromBothKindsOfDescriptionAndTheProductToo) {

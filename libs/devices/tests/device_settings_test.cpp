@@ -149,6 +149,9 @@ TEST_F(StoredDevices, LeavesOtherKeysAsTheyAre) {
   write("inverse_port", "10002");
   write("known/zz/tilt", "1");
   write("known/6", "1");
+  write("known/61", "1");     // no setting of a device, whose keys have a name after its id
+  write("known/6g/", "1");    // no hexadecimal digits
+  write("known/616/x", "1");  // half a byte too many
   EXPECT_TRUE(load().devices.empty());
   save(load());
   EXPECT_EQ(stored_.at("inverse_port"), "10002");

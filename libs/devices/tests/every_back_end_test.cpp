@@ -35,6 +35,20 @@ TEST(EveryBackEnd, LooksWhereTheSettingsSay) {
   }
 }
 
+TEST(EveryBackEnd, ThePortOfTheInverseServiceIsAWholeNumberFromOneOn) {
+  const auto asked = [](const std::string& port) -> std::string {
+    for (const auto& back_end : every_back_end({{"inverse_port", port}})) {
+      if (back_end->id() != "inverse3") continue;
+      const auto found = back_end->find();
+      return found.problem ? base::to_line(found.problem->error) : "127.0.0.1:10001: a service answers";
+    }
+    return {};
+  };
+  EXPECT_NE(asked("1").find("127.0.0.1:1:"), std::string::npos) << asked("1");
+  for (const char* port : {"", "0", "65536", "-1", "7x", "x"})
+    EXPECT_NE(asked(port).find("127.0.0.1:10001"), std::string::npos) << port << ": " << asked(port);
+}
+
 TEST(EveryBackEnd, TheEnvironmentGoesBeforeWhatIsStored) {
   const base::Settings stored{{"openhaptics_library", "a.so"}, {"inverse_port", "7"}, {"other", "x"}};
   EXPECT_EQ(back_end_settings(stored), stored);

@@ -151,6 +151,15 @@ TEST(PantographPose, WhereArmsLieOnEachOtherOrInALineOrCannotMeetThereIsNoForce)
   EXPECT_EQ(kind({0.07, 0.09, 0.038}, {60, 120}), PoseKind::behind);
 }
 
+TEST(PantographPose, AForceTooLargeToMultiplyGivesNoTorqueAtAll) {
+  const LinkagePose pose{PoseKind::regular, {0, 0.1}, {2, 0}, {0, 2}};
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  EXPECT_EQ(torques_for(pose, {kLargest, 0}, 1), (PerJoint{0, 0}));
+  EXPECT_EQ(torques_for(pose, {0, -kLargest}, 1), (PerJoint{0, 0}));
+  EXPECT_EQ(torques_for(pose, {0.25, -0.5}, 1), (PerJoint{0.5, -1}));
+  EXPECT_EQ(torques_for(pose, {0.5, -1}, 1), (PerJoint{0.5, -1})) << "held to the most, in its direction";
+}
+
 TEST(PantographPose, NothingIsEverNotANumber) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinite = std::numeric_limits<double>::infinity();

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <string>
 #include <thread>
@@ -140,6 +141,15 @@ TEST(RtThread, RefusesAbsurdPeriodsAndASecondStart) {
   const auto nothing = [](double) {};
   EXPECT_EQ(thread.start(0, nothing).error().code, base::Errc::bad_argument);
   EXPECT_EQ(thread.start(5, nothing).error().code, base::Errc::bad_argument);
+  EXPECT_EQ(thread.start(0.99e-5, nothing).error().code, base::Errc::bad_argument);
+  EXPECT_EQ(thread.start(1.0001, nothing).error().code, base::Errc::bad_argument);
+  EXPECT_EQ(thread.start(std::numeric_limits<double>::quiet_NaN(), nothing).error().code,
+            base::Errc::bad_argument);
+  EXPECT_FALSE(thread.status().running);
+  for (const double end_s : {1e-5, 1.0}) {
+    EXPECT_TRUE(thread.start(end_s, nothing)) << end_s;
+    thread.stop();
+  }
   ASSERT_TRUE(thread.start(0.001, nothing));
   EXPECT_EQ(thread.start(0.001, nothing).error().code, base::Errc::device);
   thread.stop();

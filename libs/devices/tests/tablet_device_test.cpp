@@ -164,6 +164,36 @@ TEST_F(TabletDeviceTest, ThePointerRestsASecondAfterItsLastMoveUnlessItIsPressed
   EXPECT_TRUE(device_.is_resting());
 }
 
+TEST_F(TabletDeviceTest, MovesOfThePointerAskForNoWakingBeforeTheOneThatIsComing) {
+  const auto begin = clock_.steady();
+  const int before = wakes_;
+  ASSERT_TRUE(device_.start());
+  ASSERT_EQ(wakes_, before + 1);
+  EXPECT_EQ(woken_at_, begin + 1s);
+  pass(600ms);
+  for (int i = 0; i < 3; ++i) device_.move({0.001 * i, 0, 0, false, true});
+  EXPECT_EQ(wakes_, before + 1);
+  EXPECT_EQ(woken_at_, begin + 1s);
+  pass(400ms);
+  EXPECT_FALSE(device_.is_resting());
+  EXPECT_EQ(wakes_, before + 2);
+  EXPECT_EQ(woken_at_, begin + 1600ms) << "a second after the last move";
+  pass(600ms);
+  EXPECT_TRUE(device_.is_resting());
+  EXPECT_EQ(wakes_, before + 2) << "nothing is due any more";
+  EXPECT_FALSE(woken_at_);
+}
+
+TEST_F(TabletDeviceTest, EachLookAsksForTheNextOneOnce) {
+  choose_the_arm();
+  for (int i = 0; i < 5; ++i) {
+    const int before = wakes_;
+    pass(100ms);
+    EXPECT_EQ(wakes_, before + 1) << i;
+    EXPECT_EQ(woken_at_, clock_.steady() + 100ms) << i;
+  }
+}
+
 TEST_F(TabletDeviceTest, ButtonsOfADeviceAreReportedWhenTheyGoDown) {
   script_->buttons = 1;
   choose_the_arm();

@@ -43,9 +43,13 @@ class TabletWithAnArm : public testing::Test {
 
   std::shared_ptr<Script> script_ = std::make_shared<Script>();
   std::optional<base::Clock::Steady> woken_at_;
+  int wakes_ = 0;  ///< how often the device asked to be woken
   base::Inbox inbox_;
   base::ManualClock clock_{base::Clock::Calendar{}};
-  TabletDevice device_{inbox_, clock_, [this](base::Clock::Steady at) { woken_at_ = at; }};
+  TabletDevice device_{inbox_, clock_, [this](base::Clock::Steady at) {
+                         woken_at_ = at;
+                         ++wakes_;
+                       }};
 };
 
 }  // namespace nazori::devices::test

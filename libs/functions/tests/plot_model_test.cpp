@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <string_view>
+
 #include "nazori/functions/plot_examples.h"
 
 namespace nazori::functions {
@@ -181,6 +184,28 @@ TEST(PlotExamples, CanBeDrawnAsTheyAre) {
     EXPECT_TRUE(model.read(std::string(example.expression), {})) << example.expression;
     EXPECT_TRUE(model.start_with(example.window)) << example.expression;
   }
+}
+
+TEST(PlotExamples, AreSeenWholeAndInTheMiddle) {
+  const auto window_of = [](std::string_view expression) {
+    for (const auto& example : plot_examples())
+      if (example.expression == expression) return example.window;
+    ADD_FAILURE() << expression;
+    return Window{};
+  };
+  // Around the whole curve: a circle of radius 2, a Lissajous figure within 1, a rose within 2.
+  const auto square = [](double half) { return Window{-half, half, -half, half}; };
+  EXPECT_EQ(window_of("x^2 + y^2 = 4"), square(3));
+  EXPECT_EQ(window_of("x = cos(3t); y = sin(2t); 0 <= t <= 2π"), square(1.5));
+  EXPECT_EQ(window_of("r = 2cos(3θ); 0 <= θ <= π"), square(2.5));
+  EXPECT_EQ(window_of("z = sin(x) cos(y)"), square(std::numbers::pi)) << "a whole wave";
+  // Odd and even functions are seen as far to either side.
+  for (const auto& example : plot_examples()) {
+    if (example.expression == "y^2 = x^3 - x") continue;  // its branch runs to the right
+    EXPECT_EQ(example.window.x0, -example.window.x1) << example.expression;
+  }
+  for (const char* odd : {"y = sin x", "y = x^3 - 3x", "y = 1/x", "y^2 = x^3 - x", "y = e^x; y = ln x"})
+    EXPECT_EQ(window_of(odd).y0, -window_of(odd).y1) << odd;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "sheet_under_test.h"
@@ -75,6 +76,40 @@ TEST(Colour, PigmentsAreFoundByTheirNames) {
   const auto unknown = find_pigment("puce");
   EXPECT_EQ(unknown.error().code, base::Errc::not_found);
   EXPECT_NE(unknown.error().remedy.find("sumi-blue"), std::string::npos);
+}
+
+TEST(Colour, PigmentsForPaintingAreThoseOfTheWatercolourPaper) {
+  // Curtis et al. 1997, figure 5: K, S and the granulation.
+  struct Published {
+    const char* name;
+    Bands absorption, scattering;
+    double granulation;
+  };
+  const std::array<Published, 7> published{
+      Published{"quinacridone-rose", {0.22, 1.47, 0.57}, {0.05, 0.003, 0.03}, 0.81},
+      Published{"indian-red", {0.46, 1.07, 1.50}, {1.28, 0.38, 0.21}, 0.40},
+      Published{"cadmium-yellow", {0.10, 0.36, 3.45}, {0.97, 0.65, 0.007}, 0.81},
+      Published{"hookers-green", {1.62, 0.61, 1.64}, {0.01, 0.012, 0.003}, 0.41},
+      Published{"cerulean-blue", {1.52, 0.32, 0.25}, {0.06, 0.26, 0.40}, 0.31},
+      Published{"burnt-umber", {0.74, 1.54, 2.10}, {0.09, 0.09, 0.004}, 0.90},
+      Published{"french-ultramarine", {0.86, 0.86, 0.06}, {0.005, 0.005, 0.09}, 0.91}};
+  for (const Published& p : published) {
+    const Pigment pigment = find_pigment(p.name).value();
+    EXPECT_EQ(pigment.absorption, p.absorption) << p.name;
+    EXPECT_EQ(pigment.scattering, p.scattering) << p.name;
+    EXPECT_EQ(pigment.granulation, p.granulation) << p.name;
+  }
+}
+
+TEST(Colour, SumiIsGreyAndItsKindsAbsorbAsMuchInTheMiddle) {
+  const Bands grey = find_pigment("sumi").value().absorption;
+  EXPECT_EQ(grey, (Bands{4.2, 4.2, 4.2}));
+  for (const char* name : {"sumi", "sumi-blue", "sumi-brown"}) {
+    const Pigment kind = find_pigment(name).value();
+    EXPECT_EQ(kind.absorption[1], grey[1]) << name;
+    EXPECT_EQ(kind.mobility, 0.9) << name << " is fine soot: it goes with the water";
+    for (const double scattering : kind.scattering) EXPECT_LE(scattering, 0.03) << name;
+  }
 }
 
 Bands seen_over_white(const Pigment& pigment, double amount) {

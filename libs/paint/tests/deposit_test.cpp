@@ -2,6 +2,9 @@
 // What paper takes from a brush.
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <vector>
+
 #include "sheet_under_test.h"
 
 namespace nazori::paint {
@@ -55,6 +58,70 @@ TEST(Deposit, AFastBristleSkipsOverThePaperByTheFormula) {
   const Stroke stroke{.width_m = 0.03, .speed_m_s = 0.4};
   write(sheet, load, stroke);
   EXPECT_NEAR(wetted(sheet, stroke).share, std::sqrt(0.1), 0.01);
+}
+
+TEST(Deposit, SegmentsThatAreNoNumbersLeaveNothing) {
+  Sheet sheet = sheet_of(128);
+  InkLoad load = full_of();
+  const InkLoad before = load;
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const geometry::BristleSegment good = segments_of({}, 3).front();
+  std::vector<geometry::BristleSegment> bad(9, good);
+  bad[0].from.x = kNan;
+  bad[1].to.y = kInfinite;
+  bad[2].width_m = kNan;
+  bad[3].length_m = -1;
+  bad[4].speed_m_s = kInfinite;
+  bad[5].wetness = 1.01;
+  bad[6].pigment = kNan;
+  bad[7].pressure = -0.1;
+  bad[8].wetness = 0;
+  sheet.touch(bad, load);
+  EXPECT_EQ(load, before);
+  EXPECT_FALSE(sheet.is_wet());
+  sheet.touch({&good, 1}, load);
+  EXPECT_TRUE(sheet.is_wet());
+}
+
+TEST(Deposit, EveryNumberOfASegmentMustBeInItsRange) {
+  using geometry::BristleSegment;
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const auto leaves_ink = [](const BristleSegment& segment) {
+    Sheet sheet = sheet_of(128);
+    InkLoad load = full_of();
+    sheet.touch({&segment, 1}, load);
+    return sheet.is_wet();
+  };
+  const BristleSegment good = segments_of({}, 3).front();
+  ASSERT_TRUE(leaves_ink(good));
+  const auto with = [&](double BristleSegment::*member, double value) {
+    BristleSegment segment = good;
+    segment.*member = value;
+    return leaves_ink(segment);
+  };
+  for (double BristleSegment::*member :
+       {&BristleSegment::width_m, &BristleSegment::length_m, &BristleSegment::speed_m_s,
+        &BristleSegment::wetness, &BristleSegment::pigment, &BristleSegment::pressure})
+    for (const double value : {kNan, kInfinite, -kInfinite, -1e-9})
+      EXPECT_FALSE(with(member, value)) << value;
+  for (double BristleSegment::*share :
+       {&BristleSegment::wetness, &BristleSegment::pigment, &BristleSegment::pressure}) {
+    EXPECT_TRUE(with(share, 1));
+    EXPECT_FALSE(with(share, 1.0001));
+  }
+  for (double BristleSegment::*share : {&BristleSegment::width_m, &BristleSegment::speed_m_s,
+                                        &BristleSegment::pigment, &BristleSegment::pressure})
+    EXPECT_TRUE(with(share, 0));
+  EXPECT_FALSE(with(&BristleSegment::wetness, 0));
+  for (const double value : {kNan, kInfinite}) {
+    for (int i = 0; i < 4; ++i) {
+      BristleSegment segment = good;
+      (i < 2 ? (i == 0 ? segment.from.x : segment.from.y) : (i == 2 ? segment.to.x : segment.to.y)) = value;
+      EXPECT_FALSE(leaves_ink(segment)) << i;
+    }
+  }
 }
 
 TEST(Deposit, MoreSpeedWetsLessAndMoreInkOrPressureWetsMore) {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
+#include <string>
 
 #include "sheet_under_test.h"
 
@@ -68,6 +70,91 @@ TEST(Paper, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_NE(line("paper = vellum").find("gasenshi-slow"), std::string::npos);
   EXPECT_EQ(line(std::string(65537, ' ')), "is too long (give at most 65536 bytes)");
   EXPECT_EQ(load_paper("no-such-file").error().code, base::Errc::not_found);
+}
+
+TEST(Paper, EveryPropertyTakesBothEndsOfItsRangeAndNothingBeyond) {
+  // The ranges of the header.
+  struct Range {
+    const char* name;
+    double least, most;
+  };
+  const std::array<Range, 13> ranges{
+      Range{"spread_m2_s", 0, 4e-6},     Range{"spread_variation", 0, 1}, Range{"pinning", 0, 0.9},
+      Range{"pinning_height", 0, 0.9},   Range{"pinning_fibre", 0, 0.9},  Range{"absorption_s", 0, 100},
+      Range{"rim_drying", 0, 10},        Range{"granulation", 0, 1},      Range{"kasure_s", 0, 10},
+      Range{"kasure_exponent", 0.25, 4}, Range{"film", 0.05, 4},          Range{"grain_m", 0.0001, 0.005},
+      Range{"wet_darkening", 0, 0.95}};
+  const auto reads = [](const std::string& name, double value) {
+    return parse_paper(name + " = " + std::to_string(value * 1e9) + "e-9").has_value();
+  };
+  for (const auto& [name, least, most] : ranges) {
+    EXPECT_TRUE(reads(name, least)) << name;
+    EXPECT_TRUE(reads(name, most)) << name;
+    EXPECT_FALSE(reads(name, least - 0.01 * most)) << name;
+    EXPECT_FALSE(reads(name, 1.01 * most)) << name;
+  }
+  EXPECT_TRUE(reads("drying_s", 0));
+  EXPECT_TRUE(reads("drying_s", 0.5));
+  EXPECT_FALSE(reads("drying_s", 0.49));
+  EXPECT_FALSE(reads("drying_s", -1));
+  EXPECT_TRUE(parse_paper("colour = 0.05 1 0.05"));
+  for (const char* colour : {"0.049 1 1", "1 0.049 1", "1 1 0.049", "1.001 1 1", "1 1.001 1", "1 1 1.001"})
+    EXPECT_FALSE(parse_paper(std::string("colour = ") + colour)) << colour;
+}
+
+TEST(Paper, ANameHasOneToAHundredPrintableBytes) {
+  EXPECT_EQ(parse_paper("name = " + std::string(100, 'a')).value().name, std::string(100, 'a'));
+  EXPECT_FALSE(parse_paper("name = " + std::string(101, 'a')));
+  EXPECT_EQ(parse_paper("name = 和紙 ~").value().name, "和紙 ~");
+  EXPECT_FALSE(
+      parse_paper("name = a\x1F"
+                  "b"));
+  EXPECT_FALSE(
+      parse_paper("name = a\x7F"
+                  "b"));
+  Paper paper;
+  for (const char* name : {"", "a#b", "a\nb"}) {
+    paper.name = name;
+    EXPECT_FALSE(check(paper)) << name;
+  }
+}
+
+TEST(Paper, TheFirstOneIsPracticePaperWithTheValuesOfTheHeader) {
+  EXPECT_EQ(find_paper("hanshi").value(), Paper{});
+  const Paper p;
+  EXPECT_EQ((std::array{p.spread_m2_s, p.spread_variation, p.pinning, p.pinning_height, p.pinning_fibre}),
+            (std::array{1e-8, 0.5, 0.02, 0.1, 0.1}));
+  EXPECT_EQ((std::array{p.absorption_s, p.drying_s, p.rim_drying, p.fixing_s, p.granulation}),
+            (std::array{0.05, 40.0, 1.5, 30.0, 0.4}));
+  EXPECT_EQ((std::array{p.kasure_s, p.kasure_exponent, p.film, p.grain_m, p.wet_darkening}),
+            (std::array{0.03, 1.0, 0.9, 0.00025, 0.06}));
+  EXPECT_EQ(p.colour, (std::array{0.93, 0.92, 0.88}));
+  EXPECT_EQ(p.seed, 1U);
+}
+
+TEST(Paper, TheOthersDifferFromItAsTheirNamesPromise) {
+  const Paper hanshi = find_paper("hanshi").value(), fast = find_paper("gasenshi").value(),
+              slow = find_paper("gasenshi-slow").value(), board = find_paper("board").value(),
+              water = find_paper("water").value();
+  EXPECT_EQ(fast.spread_m2_s, 5 * hanshi.spread_m2_s) << "it bleeds";
+  EXPECT_LT(fast.absorption_s, hanshi.absorption_s);
+  EXPECT_LT(fast.fixing_s, hanshi.fixing_s);
+  Paper changed = slow;
+  changed.name = fast.name;
+  changed.spread_m2_s = fast.spread_m2_s;
+  changed.absorption_s = fast.absorption_s;
+  changed.drying_s = fast.drying_s;
+  changed.fixing_s = fast.fixing_s;
+  EXPECT_EQ(changed, fast) << "the same sheet, slower";
+  EXPECT_LT(slow.spread_m2_s, fast.spread_m2_s);
+  EXPECT_EQ(slow.absorption_s, 15 * fast.absorption_s);
+  EXPECT_EQ(slow.fixing_s, 5 * fast.fixing_s) << "so it bleeds far";
+  EXPECT_EQ(board.spread_m2_s, hanshi.spread_m2_s / 10) << "it hardly drinks";
+  EXPECT_EQ(board.absorption_s, 40 * hanshi.absorption_s);
+  EXPECT_EQ(board.fixing_s, 0) << "paint settles only by drying";
+  EXPECT_GT(board.film, 3 * hanshi.film) << "thick paint";
+  EXPECT_EQ(water.wet_darkening, 0.85) << "what is wet is dark";
+  EXPECT_LT(water.colour[0], hanshi.colour[0]);
 }
 
 TEST(Paper, HeightsAreEquallyFrequentOverTheWholeSheet) {

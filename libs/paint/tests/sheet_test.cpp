@@ -147,30 +147,6 @@ TEST(Sheet, NothingIsEverNegativeOrTooMuchWhateverIsDoneToIt) {
   }
 }
 
-TEST(Sheet, SegmentsThatAreNoNumbersLeaveNothing) {
-  Sheet sheet = sheet_of(128);
-  InkLoad load = full_of();
-  const InkLoad before = load;
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  const geometry::BristleSegment good = segments_of({}, 3).front();
-  std::vector<geometry::BristleSegment> bad(9, good);
-  bad[0].from.x = kNan;
-  bad[1].to.y = kInfinite;
-  bad[2].width_m = kNan;
-  bad[3].length_m = -1;
-  bad[4].speed_m_s = kInfinite;
-  bad[5].wetness = 1.01;
-  bad[6].pigment = kNan;
-  bad[7].pressure = -0.1;
-  bad[8].wetness = 0;
-  sheet.touch(bad, load);
-  EXPECT_EQ(load, before);
-  EXPECT_FALSE(sheet.is_wet());
-  sheet.touch({&good, 1}, load);
-  EXPECT_TRUE(sheet.is_wet());
-}
-
 TEST(Sheet, OneOrTwoThreadsAndSleepingTilesGiveTheSameBytes) {
   const auto bytes_with = [](const StepOptions& options) {
     Sheet sheet = sheet_of(256, gasenshi());
