@@ -4985,6 +4985,35 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::QuestionView</name>
+    <message>
+        <source>Question</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>looks like</source>
+        <translation>似ている字</translation>
+    </message>
+    <message>
+        <source>This is not the character you are being asked for.</source>
+        <translation>これは今の問題の文字ではありません。</translation>
+    </message>
+    <message>
+        <source> blank </source>
+        <translation>（空欄）</translation>
+    </message>
+    <message numerus="yes">
+        <source>a character with %n strokes</source>
+        <translation>
+            <numerusform>%n画の文字</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Suggested: %1 (%2)</source>
+        <translation>おすすめ：%1（%2）</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::SaveDialog</name>
     <message>
         <source>Save the tablet</source>
@@ -5220,35 +5249,6 @@ Columns and rows:</source>
     <message>
         <source>%1  ⏎</source>
         <translation>%1  ⏎</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::QuestionView</name>
-    <message>
-        <source>Question</source>
-        <translation>問題</translation>
-    </message>
-    <message>
-        <source>looks like</source>
-        <translation>似ている字</translation>
-    </message>
-    <message>
-        <source>This is not the character you are being asked for.</source>
-        <translation>これは今の問題の文字ではありません。</translation>
-    </message>
-    <message>
-        <source> blank </source>
-        <translation>（空欄）</translation>
-    </message>
-    <message numerus="yes">
-        <source>a character with %n strokes</source>
-        <translation>
-            <numerusform>%n画の文字</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Suggested: %1 (%2)</source>
-        <translation>おすすめ：%1（%2）</translation>
     </message>
 </context>
 <context>
@@ -5877,19 +5877,6 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::StartButton</name>
-    <message>
-        <source>%1: %2</source>
-        <comment>start, what</comment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <comment>the key</comment>
-        <translation>Enter</translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::StartActions</name>
     <message>
         <source>&amp;Write</source>
@@ -5910,6 +5897,19 @@ Columns and rows:</source>
     <message>
         <source>St&amp;udy</source>
         <translation>学習(&amp;U)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StartButton</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>start, what</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <comment>the key</comment>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
