@@ -3948,6 +3948,43 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::KnownDialog</name>
+    <message>
+        <source>Text with the characters you know</source>
+        <translation>知っている文字を含む文章</translation>
+    </message>
+    <message>
+        <source>I know these</source>
+        <translation>知っている文字を登録</translation>
+    </message>
+    <message>
+        <source>Paste any text or list, from another program for example. Every kanji and kana in it counts as known.</source>
+        <translation>文章やリストを貼り付けてください（ほかのアプリのものでもかまいません）。含まれる漢字とかなはすべて知っている文字になります。</translation>
+    </message>
+    <message>
+        <source>Mark as known</source>
+        <translation>知っている文字にする</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>ファイルから…</translation>
+    </message>
+    <message>
+        <source>Open a list</source>
+        <translation>リストを開く</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters will be marked as known. What you have studied stays as it is.</source>
+        <translation>
+            <numerusform>%Ln字を知っている文字にします。学習済みの文字はそのままです。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have studied all of these characters.</source>
+        <translation>どの文字もすでに学習済みです。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::LearnerActions</name>
     <message>
         <source>S&amp;witch learner…</source>
@@ -5934,6 +5971,16 @@ Columns and rows:</source>
         <source>Enter: start. Tab and the arrow keys: other answers.</source>
         <translation>Enter で始めます。ほかの答えは Tab と矢印キーで選べます。</translation>
     </message>
+    <message>
+        <source>Type or paste the characters that you know.</source>
+        <translation>書ける文字を入力するか貼り付けてください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters marked as known. Ctrl+Shift+Z: undo.</source>
+        <translation>
+            <numerusform>%Ln字を書ける文字にしました。Ctrl+Shift+Z：取り消す</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StartView</name>
@@ -6122,6 +6169,30 @@ Columns and rows:</source>
     <message>
         <source>%1 min</source>
         <translation>%1分</translation>
+    </message>
+    <message>
+        <source>I know these…</source>
+        <translation>書ける文字を貼り付ける</translation>
+    </message>
+    <message>
+        <source>Text with the characters you know</source>
+        <translation>書ける文字を含む文章</translation>
+    </message>
+    <message>
+        <source>Paste any text or list, from another program for example. Every kanji and kana in it counts as known.</source>
+        <translation>文章やリストを貼り付けてください（ほかのアプリのものでもかまいません）。含まれる漢字とかなはすべて書ける文字になります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters will be marked as known: %1</source>
+        <translation>
+            <numerusform>書ける文字になる%Ln字：%1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters are already studied and stay as they are.</source>
+        <translation>
+            <numerusform>%Ln字は学習済みなので、そのままです。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6921,6 +6992,16 @@ Columns and rows:</source>
     <message>
         <source>Added %1 to the list “%2”.</source>
         <translation>%1をリスト「%2」に加えました。</translation>
+    </message>
+    <message>
+        <source>I know these…</source>
+        <translation>知っている文字を登録…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters marked as known.</source>
+        <translation>
+            <numerusform>%Ln字を知っている文字にしました。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
