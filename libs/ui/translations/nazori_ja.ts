@@ -1907,6 +1907,14 @@
         <source>&amp;Device</source>
         <translation>デバイス(&amp;D)</translation>
     </message>
+    <message>
+        <source>Choose a &amp;device</source>
+        <translation>デバイスを選ぶ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Go to the list of devices</source>
+        <translation>デバイスの一覧に移ります</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::DeviceChoicePanel</name>
@@ -2252,6 +2260,10 @@
     <message>
         <source>%1 sends data that cannot be read. Update its service.</source>
         <translation>%1 から届くデータが読み取れません。サービスを更新してください。</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1（シミュレーション）</translation>
     </message>
 </context>
 <context>
