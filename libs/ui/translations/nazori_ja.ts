@@ -7705,7 +7705,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6</source>
-        <translation>x は %1 から %2、1 目盛りは %3。y は %4 から %5、1 目盛りは %6</translation>
+        <translation>x は %1 から %2、1目盛りは %3。y は %4 から %5、1目盛りは %6</translation>
     </message>
     <message>
         <source>There is no other curve or branch.</source>
