@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// study postpone, pause, resume, reset, leech, settings
+// study know, postpone, pause, resume, reset, leech, settings
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
 
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
 #include "nazori/exchange/cards.h"
+#include "nazori/practice/learning_choices.h"
 #include "options.h"
 #include "study_session.h"
 
@@ -16,6 +18,7 @@ namespace {
 using study::LearnerStore;
 
 constexpr std::size_t kMostSettingsBytes = 1 << 20;
+constexpr std::size_t kMostTextBytes = 1 << 20;
 
 struct ChangeSettings {
   StudyOptions options;
@@ -42,6 +45,77 @@ int change(Console& console, const ChangeSettings& settings, const char* word, C
     console.print(fmt::format("{}: {}\n", word, counted(characters->size(), "character")));
   }
   return kDone;
+}
+
+struct KnowSettings {
+  StudyOptions options;
+  std::vector<std::string> characters;
+  std::string text;
+};
+
+/// The characters of the arguments and of the text, easiest first, without those that were studied.
+base::Result<std::vector<char32_t>> unstudied(StudySession& session, const KnowSettings& settings) {
+  std::vector<char32_t> all;
+  if (!settings.characters.empty()) {
+    auto named = session.characters(settings.characters);
+    if (!named) return named;
+    all = *std::move(named);
+  }
+  if (!settings.text.empty()) {
+    const auto bytes = base::read_file(settings.text, kMostTextBytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const auto found =
+        practice::kanji_and_kana_in({reinterpret_cast<const char*>(bytes->data()), bytes->size()},
+                                    [&](char32_t one) { return session.lists().facts(one) != nullptr; });
+    if (found.empty())
+      return base::fail(base::Errc::parse, "has no kanji or kana", settings.text, "save the text as UTF-8");
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  if (all.empty())
+    return base::fail(base::Errc::bad_argument, "are missing", "the characters",
+                      "name them, or a text that holds them with --text FILE");
+  std::set<char32_t> seen;
+  std::erase_if(all, [&](char32_t one) {
+    return !seen.insert(one).second || session.learner().card(one).introduced.has_value();
+  });
+  return study::sort_for_learning(std::move(all), study::NewOrder::grade,
+                                  [&](char32_t one) { return session.lists().facts(one); });
+}
+
+int know(Console& console, const KnowSettings& settings) {
+  auto session = StudySession::open(settings.options, study::Access::write);
+  if (!session) return console.refuse(session.error());
+  const auto characters = unstudied(*session, settings);
+  if (!characters) return console.refuse(characters.error());
+  auto& learner = session->learner();
+  const auto known =
+      practice::first_reviews(*characters, learner.today(), learner.settings().reviews_per_day);
+  if (!known.empty())
+    if (auto done = learner.know(known); !done) return console.refuse(done.error());
+  if (settings.options.json) {
+    Json cards = Json::array();
+    for (const char32_t one : *characters) cards.push_back(exchange::to_json(learner.card(one), learner));
+    console.print(to_text(cards));
+  } else {
+    console.print(fmt::format("known: {}\n", counted(known.size(), "character")));
+  }
+  return known.empty() ? kNo : kDone;
+}
+
+void add_know(CLI::App& study, Action& chosen) {
+  auto settings = std::make_shared<KnowSettings>();
+  CLI::App* verb = add_study_verb(study, "know", "Mark characters as known, to be reviewed from memory later",
+                                  "They are reviewed from the seventh day on, not all at once. Those that "
+                                  "were studied stay as they are. Undo takes all "
+                                  "of them back. Exit code 1 if nothing was marked.\n\nExamples:\n  "
+                                  "nazori-cli study know grade-1 grade-2\n"
+                                  "  nazori-cli study know --text known.txt");
+  verb->add_option("characters", settings->characters, "Characters, or lists: grade-1, list:NAME, tag:NAME");
+  verb->add_option("--text", settings->text, "Every kanji and kana of a text (UTF-8)")->type_name("FILE");
+  add_writer_options(*verb, settings->options);
+  verb->add_option("--database", settings->options.database, "Kanji database to use")->type_name("FILE");
+  verb->callback(
+      [settings, &chosen] { chosen = [settings](Console& console) { return know(console, *settings); }; });
 }
 
 int list_leeches(Console& console, const StudyOptions& options) {
@@ -147,6 +221,7 @@ int settings(Console& console, const SettingsSettings& asked) {
 
 void add_study_changes(CLI::App& study, Action& chosen) {
   using Characters = std::span<const char32_t>;
+  add_know(study, chosen);
   add_change(
       study, chosen, "postpone", "Postpone characters by some days",
       "Example:\n  nazori-cli study postpone 休 --days 3", "postponed",

@@ -190,6 +190,7 @@ class Schemas(unittest.TestCase):
             study("review", "review", "木", "--score", "72", "--fault", "wrong:3", "--seconds", "9", now=day + "T09:00:00Z")
         study("review", "review", "本", "--stage", "trace")
         study("cards", "postpone", "休", "--days", "2")
+        study("cards", "know", "日", "月")
         study("cards", "pause", "本")
         self.assertEqual(study("cards", "leech", code=1), [])
         study("undo", "undo")

@@ -78,6 +78,8 @@ NewOrder order_of(LearningGoal goal, NewOrder present) {
   return present;
 }
 
+bool is_kana(char32_t one) { return kanji::teaching_rank(one).has_value(); }
+
 /// CJK ideographs and 々, not punctuation, which has strokes in the database, too.
 bool is_kanji(char32_t one) {
   return one == U'々' || (one >= 0x3400 && one <= 0x9FFF) || (one >= 0xF900 && one <= 0xFAFF) ||
@@ -114,10 +116,24 @@ Characters sorted(Learner& learner, Characters characters, NewOrder order) {
                                   [&](char32_t one) { return learner.lists()->facts(one); });
 }
 
+/// The characters of a text that the learner's database has.
+Characters found_in(Learner& learner, std::string_view text, bool with_kana) {
+  const auto can_be_studied = [&learner](char32_t one) {
+    return learner.lists() != nullptr && learner.lists()->facts(one) != nullptr;
+  };
+  return with_kana ? kanji_and_kana_in(text, can_be_studied) : characters_in(text, can_be_studied);
+}
+
 /// Easiest first.
-base::Result<Characters> known_characters(Learner& learner, const KnownAlready& known) {
+base::Result<Characters> known_characters(Learner& learner, const LearningAnswers& answers) {
   using Kind = KnownAlready::Kind;
+  const KnownAlready& known = *answers.known;
   if (known.kind == Kind::nothing) return Characters();
+  if (known.kind == Kind::listed) {
+    auto found = found_in(learner, answers.known_text, true);
+    if (found.empty()) return base::fail(Errc::bad_argument, "has no kanji or kana", "the text");
+    return sorted(learner, std::move(found), NewOrder::grade);
+  }
   if (known.kind == Kind::checked) return known.characters;
   auto all = members(learner, {"hiragana", "katakana"});
   if (!all || known.kind == Kind::kana) return all;
@@ -132,17 +148,6 @@ kanji::Script script_of(std::optional<LearningGoal> goal) {
   if (goal == LearningGoal::hiragana) return kanji::Script::hiragana;
   if (goal == LearningGoal::katakana) return kanji::Script::katakana;
   return kanji::Script::other;
-}
-
-/// Gives each its day, so that they do not all come at once.
-std::vector<study::KnownCharacter> spread(const Characters& easiest_first, study::Day today, int a_day) {
-  std::vector<study::KnownCharacter> known;
-  int place = 0;
-  for (auto one = easiest_first.rbegin(); one != easiest_first.rend(); ++one, ++place) {
-    const int day = std::min(kLastReview_days, kFirstReview_days + place / std::max(1, a_day));
-    known.push_back({*one, today + std::chrono::days(day)});
-  }
-  return known;
 }
 
 base::Result<char32_t> first_new(Learner& learner, const study::StudyChoices& choices) {
@@ -199,20 +204,35 @@ LearningAnswers answers_of(const study::Settings& settings) {
 
 bool is_new(const study::LearnerStore& store) { return store.cards().empty() && store.last_entry() == 0; }
 
-Characters characters_in(std::string_view text, const std::function<bool(char32_t)>& can_be_studied) {
-  Characters kanji;
-  Characters kana;
+Characters kanji_and_kana_in(std::string_view text, const std::function<bool(char32_t)>& can_be_studied) {
+  Characters found;
   std::set<char32_t> seen;
   const auto decoded = base::decode_utf8(text);
   if (!decoded) return {};
-  for (const char32_t one : *decoded) {
-    if (!seen.insert(one).second) continue;
-    const bool is_kana = kanji::teaching_rank(one).has_value();
-    if ((is_kana || is_kanji(one)) && can_be_studied(one)) (is_kana ? kana : kanji).push_back(one);
-  }
-  auto& found = kanji.empty() ? kana : kanji;
+  for (const char32_t one : *decoded)
+    if (seen.insert(one).second && (is_kana(one) || is_kanji(one)) && can_be_studied(one))
+      found.push_back(one);
+  return found;
+}
+
+Characters characters_in(std::string_view text, const std::function<bool(char32_t)>& can_be_studied) {
+  Characters found = kanji_and_kana_in(text, can_be_studied);
+  if (std::any_of(found.begin(), found.end(), is_kanji))
+    std::erase_if(found, [](char32_t one) { return is_kana(one); });
   if (found.size() > kMostOwn) found.resize(kMostOwn);
   return found;
+}
+
+std::vector<study::KnownCharacter> first_reviews(const Characters& easiest_first, study::Day today,
+                                                 int reviews_per_day) {
+  std::vector<study::KnownCharacter> known;
+  const int a_day = std::max(1, reviews_per_day / 2);
+  int place = 0;
+  for (auto one = easiest_first.rbegin(); one != easiest_first.rend(); ++one, ++place) {
+    const int day = std::min(kLastReview_days, kFirstReview_days + place / a_day);
+    known.push_back({*one, today + std::chrono::days(day)});
+  }
+  return known;
 }
 
 base::Result<LearningPlan> plan_learning(Learner& learner, const LearningAnswers& answers) {
@@ -222,9 +242,7 @@ base::Result<LearningPlan> plan_learning(Learner& learner, const LearningAnswers
   if (answers.goal) {
     Lists lists = lists_of(*answers.goal);
     if (answers.goal == LearningGoal::own_list) {
-      study::CustomList list{"", characters_in(answers.own_text, [&](char32_t one) {
-                               return learner.lists() != nullptr && learner.lists()->facts(one) != nullptr;
-                             })};
+      study::CustomList list{"", found_in(learner, answers.own_text, false)};
       if (list.characters.empty())
         return base::fail(Errc::bad_argument, "has no characters that can be studied", "the list");
       auto name = free_name(store, answers.list_name);
@@ -245,15 +263,16 @@ base::Result<LearningPlan> plan_learning(Learner& learner, const LearningAnswers
     settings.reviews_per_day = amount.reviews;
   }
   if (answers.known) {
-    auto known = known_characters(learner, *answers.known);
+    auto known = known_characters(learner, answers);
     if (!known) return tl::unexpected(known.error());
-    const bool is_checked = answers.known->kind == KnownAlready::Kind::checked;
+    const bool is_named = answers.known->kind == KnownAlready::Kind::checked ||
+                          answers.known->kind == KnownAlready::Kind::listed;
     const auto goal = script_of(answers.goal ? answers.goal : answers_of(settings).goal);
     std::erase_if(*known, [&](char32_t one) {
       const bool is_goal = goal != kanji::Script::other && kanji::script_of(one) == goal;
-      return store.card(one).introduced.has_value() || (is_goal && !is_checked);
+      return store.card(one).introduced.has_value() || (is_goal && !is_named);
     });
-    plan.choices.known = spread(*known, store.today(), settings.reviews_per_day / 2);
+    plan.choices.known = first_reviews(*known, store.today(), settings.reviews_per_day);
   }
   const auto first = first_new(learner, plan.choices);
   if (!first) return tl::unexpected(first.error());
@@ -269,8 +288,7 @@ base::Result<Characters> characters_to_check(Learner& learner, const LearningAns
   const LearningGoal goal = answers.goal.value_or(
       answers_of(learner.store().settings()).goal.value_or(LearningGoal::kanji_by_grade));
   if (goal == LearningGoal::own_list && learner.lists() != nullptr) {
-    auto own =
-        characters_in(answers.own_text, [&](char32_t one) { return learner.lists()->facts(one) != nullptr; });
+    auto own = found_in(learner, answers.own_text, false);
     if (own.empty()) {
       Lists lists = learner.store().settings().new_lists;
       std::erase_if(lists, [](const auto& one) { return !is_own(one); });

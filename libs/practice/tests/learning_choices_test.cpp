@@ -191,6 +191,25 @@ TEST_F(LearningChoices, TextIsReadForItsKanjiOrElseForItsKana) {
   EXPECT_FALSE(plan_learning(*learner_, own("abc")));
 }
 
+TEST_F(LearningChoices, EveryKanjiAndKanaOfAPastedTextIsKnown) {
+  const auto all = [](char32_t) { return true; };
+  EXPECT_THAT(kanji_and_kana_in("休日は, OK 休み。", all), ElementsAre(U'休', U'日', U'は', U'み'));
+  EXPECT_THAT(kanji_and_kana_in("only words", all), IsEmpty());
+  write(U'木');
+  auto answers = goal(LearningGoal::hiragana);
+  answers.known = known(Kind::listed);
+  answers.known_text = "1. 木\t日 (ひ), 鬱";
+  const auto made = plan(answers);
+  EXPECT_THAT(characters(made), ElementsAre(U'鬱', U'日', U'ひ'))
+      << "the hardest first; 木 keeps its schedule; kana that are named are known, whatever is learned";
+  ASSERT_TRUE(take_plan(*learner_, made));
+  EXPECT_TRUE(learner_->store().card(U'ひ').introduced);
+  ASSERT_TRUE(learner_->store().undo());
+  EXPECT_FALSE(learner_->store().card(U'ひ').introduced);
+  answers.known_text = "nothing to study";
+  EXPECT_FALSE(plan_learning(*learner_, answers));
+}
+
 TEST_F(LearningChoices, ASecondOwnListGetsItsOwnName) {
   ASSERT_TRUE(take_plan(*learner_, plan(own("休"))));
   ASSERT_TRUE(take_plan(*learner_, plan(own("木林"))));

@@ -166,12 +166,14 @@ TEST_F(HomeViewTest, WithNothingToDoItSaysWhyAndOffersMore) {
   write(U'一', Rating::easy);
   EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Tomorrow: new characters, no reviews."));
   EXPECT_TRUE(can_see("home_ahead"));
-  EXPECT_EQ(view_.focusProxy(), button("home_ahead"));
+  EXPECT_EQ(view_.focusProxy(), view_.findChild<QLabel*>("home_advice"));
+  EXPECT_EQ(button("home_ahead")->text(), QStringLiteral("Review ahead  A"));
   change([](study::Settings& to) { to.new_per_day = 0; });
   EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
   learn_from({U'一', U'二'}, 1);
   EXPECT_TRUE(can_see("home_more")) << "the goal of the day is reached, 二 is left";
-  EXPECT_EQ(view_.focusProxy(), button("home_more"));
+  EXPECT_EQ(view_.focusProxy(), view_.findChild<QLabel*>("home_advice"));
+  EXPECT_EQ(button("home_more")->text(), QStringLiteral("Five more new characters  F"));
   const QSignalSpy more(actions_.more, &QAction::triggered);
   button("home_more")->click();
   EXPECT_EQ(more.count(), 1);

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -20,6 +21,7 @@
 #include "nazori/study/statistics.h"
 #include "nazori/widgets/controls/list_choice.h"
 #include "session_under_test.h"
+#include "study/known_dialog.h"
 #include "window/language.h"
 
 namespace nazori::ui {
@@ -271,6 +273,35 @@ TEST_F(SettingsDialog, AWholeListIsPausedResumedPostponedAndReset) {
   choose("list:none");
   press("list_pause");
   EXPECT_EQ(choice(), QStringLiteral("This list is empty."));
+}
+
+TEST_F(SettingsDialog, APastedTextIsMarkedAsKnownWithOneUndo) {
+  open();
+  then<KnownDialog>([](KnownDialog* known) {
+    auto* mark = known->findChild<QPushButton*>("known_mark");
+    auto* text = known->findChild<QPlainTextEdit*>("known_text");
+    const auto found = [known] { return known->findChild<QLabel*>("known_found")->text(); };
+    EXPECT_FALSE(mark->isEnabled());
+    text->setPlainText(QStringLiteral("nothing here"));
+    EXPECT_FALSE(mark->isEnabled());
+    text->setPlainText(QStringLiteral("一\t二,一 の"));
+    EXPECT_EQ(found(),
+              QStringLiteral("3 characters will be marked as known. What you have studied stays as it is."));
+    mark->click();
+  });
+  press("list_know");
+  EXPECT_TRUE(choice().endsWith(QStringLiteral("3 characters marked as known. Ctrl+Shift+Z: undo.")))
+      << choice().toStdString();
+  EXPECT_TRUE(learner_->store().card(U'二').introduced);
+  then<KnownDialog>([](KnownDialog* known) {
+    known->findChild<QPlainTextEdit*>("known_text")->setPlainText(QStringLiteral("二"));
+    EXPECT_FALSE(known->findChild<QPushButton*>("known_mark")->isEnabled()) << "it is studied already";
+    known->reject();
+  });
+  press("list_know");
+  ASSERT_TRUE(learner_->store().undo());
+  EXPECT_FALSE(learner_->store().card(U'二').introduced);
+  EXPECT_FALSE(learner_->store().card(U'の').introduced);
 }
 
 TEST_F(SettingsDialog, OnlyOwnListsAreRemovedAndOnlyAfterAQuestion) {

@@ -198,6 +198,18 @@ TEST_F(Device, ChoiceAndMaterialAreRemembered) {
   EXPECT_EQ(find<QComboBox>("material_texture")->currentIndex(), 2);
 }
 
+TEST_F(Device, OneKeyGoesToTheListOfDevices) {
+  press(Qt::Key_2, Qt::AltModifier);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find("device_scripted:arm") != nullptr; }));
+  ASSERT_EQ(action("choose_device")->shortcut(), QKeySequence(QStringLiteral("D")));
+  action("choose_device")->trigger();
+  EXPECT_TRUE(find("device_choice_panel")->isVisible());
+  EXPECT_TRUE(QTest::qWaitFor([&] {
+    const auto* at = qobject_cast<QRadioButton*>(window_->focusWidget());
+    return at != nullptr && at->isChecked() && at->isVisible();
+  })) << window_->focusWidget()->objectName().toStdString();
+}
+
 TEST_F(Device, ThePageSaysWhyADeviceIsNotThere) {
   script_->plugged_in = false;
   script_->state = DeviceState::lost;

@@ -185,6 +185,31 @@ TEST_F(WindowStart, TheWholeChoiceIsOneUndo) {
       << feedback().toStdString();
 }
 
+TEST_F(WindowStart, APastedTextIsKnownAndCountedBeforeItIsSaved) {
+  choose("start_kanji");
+  choose("start_listed");
+  EXPECT_FALSE(find("start_write")->isEnabled()) << "nothing is pasted yet";
+  EXPECT_EQ(text("start_trouble"), QStringLiteral("Type or paste the characters that you know."));
+  find<QPlainTextEdit>("start_known_text")->setPlainText(QStringLiteral("日\t1\n一, sun 日の"));
+  EXPECT_EQ(text("start_known_found"), QStringLiteral("3 characters will be marked as known: の日一"));
+  EXPECT_EQ(button(), QStringLiteral("Write 人"));
+  press(Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(session().is_running());
+  EXPECT_EQ(session().character(), U'人');
+  EXPECT_EQ(store().cards().size(), 3U);
+  session().end();
+  action("home_choices")->trigger();
+  choose("start_listed");
+  find<QPlainTextEdit>("start_known_text")->setPlainText(QStringLiteral("日本"));
+  EXPECT_EQ(
+      text("start_known_found"),
+      QStringLiteral(
+          "1 character will be marked as known: 本\n1 character is already studied and stays as it is."));
+  press(Qt::Key_Escape);
+  session().undo();
+  EXPECT_TRUE(store().cards().empty()) << "one undo for all";
+}
+
 TEST_F(WindowStart, AFailureKeepsThePageWithItsAnswers) {
   choose("start_katakana");
   choose("start_some_kanji");

@@ -211,7 +211,10 @@ TEST_F(Study, TheEndTellsWhatWasDoneAndWhatComes) {
   EXPECT_FALSE(find("home_start")->isVisible());
   EXPECT_TRUE(text("home_day").endsWith(QStringLiteral("1 day in a row")));
   EXPECT_TRUE(find("home_more")->isVisible()) << "more may be learned";
-  EXPECT_EQ(window_->focusWidget(), find("home_more"));
+  EXPECT_EQ(window_->focusWidget(), find("home_advice")) << "it is read aloud";
+  press(Qt::Key_Return);
+  press(Qt::Key_Space);
+  EXPECT_FALSE(session().is_running()) << "one key too many begins nothing";
 }
 
 TEST_F(Study, FiveMoreNewCharactersComeByOneKeyAfterTheGoalOfTheDay) {

@@ -133,6 +133,16 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::KnownDialog</name>
+    <message numerus="yes">
+        <source>%Ln characters will be marked as known. What you have studied stays as it is.</source>
+        <translation>
+            <numerusform>%Ln character will be marked as known. What you have studied stays as it is.</numerusform>
+            <numerusform>%Ln characters will be marked as known. What you have studied stays as it is.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::LibraryPanel</name>
     <message numerus="yes">
         <source>%n found</source>
@@ -174,22 +184,22 @@
     </message>
 </context>
 <context>
-    <name>nazori::ui::SearchWords</name>
-    <message numerus="yes">
-        <source>%n strokes</source>
-        <translation>
-            <numerusform>%n stroke</numerusform>
-            <numerusform>%n strokes</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::QuestionView</name>
     <message numerus="yes">
         <source>a character with %n strokes</source>
         <translation>
             <numerusform>a character with %n stroke</numerusform>
             <numerusform>a character with %n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SearchWords</name>
+    <message numerus="yes">
+        <source>%n strokes</source>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
         </translation>
     </message>
 </context>
@@ -283,12 +293,36 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::StartPage</name>
+    <message numerus="yes">
+        <source>%Ln characters marked as known. Ctrl+Shift+Z: undo.</source>
+        <translation>
+            <numerusform>%Ln character marked as known. Ctrl+Shift+Z: undo.</numerusform>
+            <numerusform>%Ln characters marked as known. Ctrl+Shift+Z: undo.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StartView</name>
     <message numerus="yes">
         <source>%n characters: %1</source>
         <translation>
             <numerusform>%n character: %1</numerusform>
             <numerusform>%n characters: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters will be marked as known: %1</source>
+        <translation>
+            <numerusform>%Ln character will be marked as known: %1</numerusform>
+            <numerusform>%Ln characters will be marked as known: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters are already studied and stay as they are.</source>
+        <translation>
+            <numerusform>%Ln character is already studied and stays as it is.</numerusform>
+            <numerusform>%Ln characters are already studied and stay as they are.</numerusform>
         </translation>
     </message>
 </context>
@@ -344,6 +378,13 @@
         <translation>
             <numerusform>%Ln character selected, %1 already studied.</numerusform>
             <numerusform>%Ln characters selected, %1 of them already studied.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters marked as known.</source>
+        <translation>
+            <numerusform>%Ln character marked as known.</numerusform>
+            <numerusform>%Ln characters marked as known.</numerusform>
         </translation>
     </message>
 </context>

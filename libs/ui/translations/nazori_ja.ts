@@ -1907,6 +1907,14 @@
         <source>&amp;Device</source>
         <translation>デバイス(&amp;D)</translation>
     </message>
+    <message>
+        <source>Choose a &amp;device</source>
+        <translation>デバイスを選ぶ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Go to the list of devices</source>
+        <translation>デバイスの一覧に移ります</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::DeviceChoicePanel</name>
@@ -2252,6 +2260,10 @@
     <message>
         <source>%1 sends data that cannot be read. Update its service.</source>
         <translation>%1 から届くデータが読み取れません。サービスを更新してください。</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1（シミュレーション）</translation>
     </message>
 </context>
 <context>
@@ -3948,6 +3960,43 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::KnownDialog</name>
+    <message>
+        <source>Text with the characters you know</source>
+        <translation>知っている文字を含む文章</translation>
+    </message>
+    <message>
+        <source>I know these</source>
+        <translation>知っている文字を登録</translation>
+    </message>
+    <message>
+        <source>Paste any text or list, from another program for example. Every kanji and kana in it counts as known.</source>
+        <translation>文章やリストを貼り付けてください（ほかのアプリのものでもかまいません）。含まれる漢字とかなはすべて知っている文字になります。</translation>
+    </message>
+    <message>
+        <source>Mark as known</source>
+        <translation>知っている文字にする</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>ファイルから…</translation>
+    </message>
+    <message>
+        <source>Open a list</source>
+        <translation>リストを開く</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters will be marked as known. What you have studied stays as it is.</source>
+        <translation>
+            <numerusform>%Ln字を知っている文字にします。学習済みの文字はそのままです。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have studied all of these characters.</source>
+        <translation>どの文字もすでに学習済みです。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::LearnerActions</name>
     <message>
         <source>S&amp;witch learner…</source>
@@ -4985,6 +5034,35 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::QuestionView</name>
+    <message>
+        <source>Question</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>looks like</source>
+        <translation>似ている字</translation>
+    </message>
+    <message>
+        <source>This is not the character you are being asked for.</source>
+        <translation>これは今の問題の文字ではありません。</translation>
+    </message>
+    <message>
+        <source> blank </source>
+        <translation>（空欄）</translation>
+    </message>
+    <message numerus="yes">
+        <source>a character with %n strokes</source>
+        <translation>
+            <numerusform>%n画の文字</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Suggested: %1 (%2)</source>
+        <translation>おすすめ：%1（%2）</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::SaveDialog</name>
     <message>
         <source>Save the tablet</source>
@@ -5220,35 +5298,6 @@ Columns and rows:</source>
     <message>
         <source>%1  ⏎</source>
         <translation>%1  ⏎</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::QuestionView</name>
-    <message>
-        <source>Question</source>
-        <translation>問題</translation>
-    </message>
-    <message>
-        <source>looks like</source>
-        <translation>似ている字</translation>
-    </message>
-    <message>
-        <source>This is not the character you are being asked for.</source>
-        <translation>これは今の問題の文字ではありません。</translation>
-    </message>
-    <message>
-        <source> blank </source>
-        <translation>（空欄）</translation>
-    </message>
-    <message numerus="yes">
-        <source>a character with %n strokes</source>
-        <translation>
-            <numerusform>%n画の文字</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Suggested: %1 (%2)</source>
-        <translation>おすすめ：%1（%2）</translation>
     </message>
 </context>
 <context>
@@ -5877,19 +5926,6 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::StartButton</name>
-    <message>
-        <source>%1: %2</source>
-        <comment>start, what</comment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <comment>the key</comment>
-        <translation>Enter</translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::StartActions</name>
     <message>
         <source>&amp;Write</source>
@@ -5913,6 +5949,19 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::StartButton</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>start, what</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <comment>the key</comment>
+        <translation>Enter</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StartPage</name>
     <message>
         <source>Change &amp;what I learn</source>
@@ -5933,6 +5982,16 @@ Columns and rows:</source>
     <message>
         <source>Enter: start. Tab and the arrow keys: other answers.</source>
         <translation>Enter で始めます。ほかの答えは Tab と矢印キーで選べます。</translation>
+    </message>
+    <message>
+        <source>Type or paste the characters that you know.</source>
+        <translation>書ける文字を入力するか貼り付けてください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters marked as known. Ctrl+Shift+Z: undo.</source>
+        <translation>
+            <numerusform>%Ln字を書ける文字にしました。Ctrl+Shift+Z：取り消す</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6122,6 +6181,30 @@ Columns and rows:</source>
     <message>
         <source>%1 min</source>
         <translation>%1分</translation>
+    </message>
+    <message>
+        <source>I know these…</source>
+        <translation>書ける文字を貼り付ける</translation>
+    </message>
+    <message>
+        <source>Text with the characters you know</source>
+        <translation>書ける文字を含む文章</translation>
+    </message>
+    <message>
+        <source>Paste any text or list, from another program for example. Every kanji and kana in it counts as known.</source>
+        <translation>文章やリストを貼り付けてください（ほかのアプリのものでもかまいません）。含まれる漢字とかなはすべて書ける文字になります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters will be marked as known: %1</source>
+        <translation>
+            <numerusform>書ける文字になる%Ln字：%1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters are already studied and stay as they are.</source>
+        <translation>
+            <numerusform>%Ln字は学習済みなので、そのままです。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6922,6 +7005,16 @@ Columns and rows:</source>
         <source>Added %1 to the list “%2”.</source>
         <translation>%1をリスト「%2」に加えました。</translation>
     </message>
+    <message>
+        <source>I know these…</source>
+        <translation>知っている文字を登録…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters marked as known.</source>
+        <translation>
+            <numerusform>%Ln字を知っている文字にしました。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StudyWords</name>
@@ -7612,7 +7705,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6</source>
-        <translation>x は %1 から %2、1 目盛りは %3。y は %4 から %5、1 目盛りは %6</translation>
+        <translation>x は %1 から %2、1目盛りは %3。y は %4 から %5、1目盛りは %6</translation>
     </message>
     <message>
         <source>There is no other curve or branch.</source>

@@ -10,6 +10,7 @@ namespace {
 TEST(DeviceText, NamesThatAreWordsAreSaidInTheLanguageOfTheWindow) {
   EXPECT_EQ(device_name("Mouse or pen"), QStringLiteral("Mouse, pen or finger"));
   EXPECT_EQ(device_name("Mouse, pen or finger"), QStringLiteral("Mouse, pen or finger"));
+  EXPECT_EQ(device_name("Falcon (simulated)"), QStringLiteral("Falcon (simulated)"));
   EXPECT_EQ(device_name("Joysticks, wheels and gamepads"), QStringLiteral("Joysticks, wheels and gamepads"));
   EXPECT_EQ(device_name("Simulated devices"), QStringLiteral("Simulated devices"));
   EXPECT_EQ(device_name("Touch (serial 12345)"), QStringLiteral("Touch (serial 12345)"));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/characters.h"
 
-#include <QFileInfo>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -18,7 +17,6 @@
 #include "characters/stage_view.h"
 #include "characters/standing_bar.h"
 #include "characters/writing_panel.h"
-#include "nazori/studio/print/solid_dialog.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/dialogs/file_exchange.h"
 #include "nazori/widgets/events/signals.h"
@@ -275,43 +273,6 @@ void Characters::refresh_appearance() {
   session_actions_->draw_icons();
   question_view_->refresh();
   session_panel_->refresh();
-}
-
-bool Characters::opens(const QStringList& paths) const {
-  return std::all_of(paths.begin(), paths.end(), [](const QString& path) {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    return suffix == QLatin1String("raw") || suffix == QLatin1String("png") || suffix == QLatin1String("str");
-  });
-}
-
-void Characters::open_files(const QStringList& paths) {
-  if (files_->open(paths, practice_.own())) practice_.expect_files();
-}
-
-void Characters::ask_and_open() {
-  if (files_->ask_and_open(practice_.own())) practice_.expect_files();
-}
-
-void Characters::ask_and_save() {
-  const auto& own = practice_.own();
-  const QString file_name =
-      own.tablet ? to_text(own.name).section(QLatin1Char('.'), 0, 0) : to_text(parts().preferences().kanji);
-  files_->ask_and_save(practice_.tablet(), own, file_name);
-}
-
-void Characters::ask_model() {
-  // What the learner is asked to write from memory must not be shown.
-  if (practice_.current_stage().hides_character())
-    return parts().announce(Feedback::advice, tr("Finish this character first: a model would show it."));
-  const auto& own = practice_.own();
-  if (own.tablet)
-    return ask_solid(
-        parts(),
-        {to_text(own.name), {{tablet::stroke_lines(own.tablet->lines()), own.tablet->height_map()}}, {}});
-  const auto& sheet = practice_.sheet();
-  if (!sheet || sheet->character.strokes.empty())
-    return parts().announce(Feedback::advice, tr("There is no tablet to make a model of yet."));
-  ask_solid(parts(), {to_text(sheet->character.code_point), {{sheet->character.lines(), {}}}, {}});
 }
 
 void Characters::connect_actions() {

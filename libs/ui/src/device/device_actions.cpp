@@ -6,6 +6,7 @@ namespace nazori::ui {
 DeviceActions::DeviceActions(QWidget* window) : ActionSet(window) {
   look_again = make("look_again", tr("&Look for devices"), tr("Search again for connected devices"), "F5",
                     Icon::search);
+  choose = make("choose_device", tr("Choose a &device"), tr("Go to the list of devices"), "D");
   stronger = make("stronger", tr("S&tronger"),
                   tr("Make the test force stronger by 10% of the device's limit"), "Ctrl+PgUp");
   weaker = make("weaker", tr("&Weaker"), tr("Make the test force weaker"), "Ctrl+PgDown");
@@ -13,7 +14,7 @@ DeviceActions::DeviceActions(QWidget* window) : ActionSet(window) {
                    tr("Point at three corners of the tablet with the stylus"), "C");
   fit = make("fit", tr("&Fit automatically"),
              tr("Use the largest tablet that the stylus can reach completely"), "Shift+C");
-  add_group(tr("&Device"), {look_again, nullptr, stronger, weaker, nullptr, calibrate, fit});
+  add_group(tr("&Device"), {choose, look_again, nullptr, stronger, weaker, nullptr, calibrate, fit});
 }
 
 }  // namespace nazori::ui

@@ -152,6 +152,10 @@ void DeviceChoicePanel::add_choice(const QString& id, const QString& text, bool 
 
 void DeviceChoicePanel::show_searching() { searching_->show(); }
 
+void DeviceChoicePanel::focus_choice() {
+  if (auto* chosen = group_->checkedButton()) chosen->setFocus(Qt::OtherFocusReason);
+}
+
 void DeviceChoicePanel::show_choices(const devices::DeviceChoices& choices) {
   const bool had_focus = focusWidget() != nullptr && qobject_cast<QRadioButton*>(focusWidget()) != nullptr;
   searching_->hide();

@@ -29,6 +29,8 @@ class DeviceChoicePanel final : public QScrollArea {
 
   /// Shows that devices are being searched, until show_choices().
   void show_searching();
+  /// Gives the keyboard to the device that is chosen.
+  void focus_choice();
   void show_choices(const devices::DeviceChoices& choices);
   /// @param own  limits of the device; without force there is nothing to fit or limit.
   void show_device(const devices::DeviceSettings& settings, const haptics::DeviceDescription& own,

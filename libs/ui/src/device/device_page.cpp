@@ -95,6 +95,10 @@ void DevicePage::connect_actions() {
     if (stylus_.opened() == nullptr) stylus_.choose(stylus_.chosen());
     look_again();
   });
+  on(actions_->choose, [this] {
+    this->parts().open_left_panel();
+    choice_panel_->focus_choice();
+  });
   for (const auto& [action, steps] : {std::pair{actions_->stronger, +1}, std::pair{actions_->weaker, -1}})
     on(action, [this, steps = steps] {
       setup_.change_strength(steps);

@@ -11,11 +11,12 @@
 namespace nazori::ui {
 namespace {
 
+// Before Words: lupdate would lose the context of the strings that follow.
+functions::SpeechStyle chosen_speech = functions::SpeechStyle::verbose;
+
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(nazori::ui::plot_words)
 };
-
-functions::SpeechStyle chosen_speech = functions::SpeechStyle::verbose;
 
 /// Four significant digits; "minus", because screen readers pass over a hyphen.
 QString spoken(double value) {

@@ -124,13 +124,28 @@ void StartPage::show_plan() {
     own = practice::characters_in(answers.own_text, [&learner](char32_t one) {
       return learner.lists() != nullptr && learner.lists()->facts(one) != nullptr;
     });
+  const bool lists_known = answers.known->kind == practice::KnownAlready::Kind::listed;
+  view_->show_known({}, 0);
   const auto changed = changed_answers();
+  const auto plan = practice::plan_learning(learner, changed);
   QString trouble = LearnerWords::sentence(learner.trouble());
   char32_t first = 0;
   if (changed.goal == practice::LearningGoal::own_list && own.empty()) {
     if (trouble.isEmpty()) trouble = tr("Type or paste the characters that you want to write.");
-  } else if (const auto plan = practice::plan_learning(learner, changed)) {
+  } else if (plan) {
     first = plan->first;
+    if (lists_known) {
+      std::vector<char32_t> known;
+      for (const auto& one : plan->choices.known) known.push_back(one.character);
+      // Planned from the hardest to the easiest.
+      std::reverse(known.begin(), known.end());
+      const auto all = practice::kanji_and_kana_in(answers.known_text, [&learner](char32_t one) {
+        return learner.lists() != nullptr && learner.lists()->facts(one) != nullptr;
+      });
+      view_->show_known(known, static_cast<int>(all.size() - known.size()));
+    }
+  } else if (lists_known && plan.error().code == base::Errc::bad_argument) {
+    trouble = tr("Type or paste the characters that you know.");
   } else if (trouble.isEmpty()) {
     trouble = reason(plan.error());
   }
@@ -173,6 +188,9 @@ void StartPage::write() {
   if (session.is_running()) session.end();
   if (plan->first == 0) {
     parts().go_to(QStringLiteral("home"));
+    if (const auto known = plan->choices.known.size(); known > 0)
+      parts().announce(Feedback::good, tr("%Ln characters marked as known. Ctrl+Shift+Z: undo.", nullptr,
+                                          static_cast<int>(known)));
     return;
   }
   const auto today = learner.plan();

@@ -34,8 +34,12 @@ class StartView final : public QWidget {
   /// What a check found, which the learner may take or refuse; nullopt: none.
   void show_result(const std::optional<practice::PlacementResult>& result);
   /// What the button begins with. @param first  a new character; 0: none is left. @param trouble  why
-  /// nothing can be begun; empty: nothing is wrong. @param own  the characters of the learner's own text.
-  void show_plan(char32_t first, const QString& trouble, const std::vector<char32_t>& own);
+  /// nothing can be begun; empty: nothing is wrong. @param own_list  the characters of the learner's own
+  /// text.
+  void show_plan(char32_t first, const QString& trouble, const std::vector<char32_t>& own_list);
+  /// What the pasted text of known characters comes to. @param known  which would be marked. @param studied
+  /// how many others were studied already.
+  void show_known(const std::vector<char32_t>& known, int studied);
   /// What the learner writes with.
   void show_input(const QString& sentence);
 
@@ -51,11 +55,21 @@ class StartView final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// The ids of the first row of answers; kanji has a row of its own.
+  enum Goal : std::uint8_t { hiragana, katakana, kanji, own };
+  /// The ids of the row about what is known.
+  enum Known : std::uint8_t { nothing, kana, some_kanji, listed, check };
+  enum Result : std::uint8_t { take, refuse };
+
+  static Goal goal_id(practice::LearningGoal goal);
   QLabel* add_question(const QString& words);
   /// A row of answers, of which one is chosen. @param spoken  the question.
   QButtonGroup* add_row(const QList<ChoiceButton*>& buttons, const char* name, const QString& spoken);
   void add_goals();
   void add_known();
+  void add_levels();
+  /// A field for a text, and below it what was found in it.
+  QPlainTextEdit* add_text(const char* name, const QString& spoken, const QString& example, QLabel*& found);
   void add_minutes();
   void add_end();
   void order_tabs();
@@ -72,8 +86,8 @@ class StartView final : public QWidget {
   QButtonGroup *goal_, *kanji_, *known_, *result_, *minutes_;
   QWidget* kanji_row_;
   QWidget* result_row_;
-  QPlainTextEdit* own_text_;
-  QLabel* own_found_;
+  QPlainTextEdit *own_text_, *known_text_;
+  QLabel *own_found_, *known_found_;
   QComboBox* level_;
   QLabel* result_words_;
   QPushButton *write_, *skip_;

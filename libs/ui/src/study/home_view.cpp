@@ -77,11 +77,15 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
   start_->setToolTip(tr("Enter or Space: start"));
   connect(start_, &QPushButton::clicked, actions.start, &QAction::trigger);
   reviews_ = button(actions.reviews, "home_reviews", {});
-  more_ = button(actions.more, "home_more", tr("Five more new characters"));
-  ahead_ = button(actions.ahead, "home_ahead", tr("Review ahead"));
+  more_ = button(actions.more, "home_more", {});
+  ahead_ = button(actions.ahead, "home_ahead", {});
+  // What has a key of its own says so, because Enter does not press it.
+  show_key(more_, actions.more, tr("Five more new characters"));
+  show_key(ahead_, actions.ahead, tr("Review ahead"));
   choose_ = button(actions.choose, "home_free_writing", tr("Choose characters"));
   settings_ = button(actions.settings, "home_settings", tr("Study settings…"));
   advice_ = sentence_label("home_advice", content_);
+  advice_->setFocusPolicy(Qt::TabFocus);
 
   way_title_ = heading(tr("On the way"), content_);
   auto* way = new QWidget(content_);
@@ -146,6 +150,16 @@ QPushButton* HomeView::button(QAction* action, const char* name, const QString& 
   if (role != nullptr) with_role(made, role);
   connect(made, &QPushButton::clicked, action, &QAction::trigger);
   return made;
+}
+
+void HomeView::show_key(QPushButton* button, const QAction* action, const QString& text) {
+  const auto follow = [button, action, text] {
+    const auto keys = action->shortcut().toString(QKeySequence::NativeText);
+    button->setText(keys.isEmpty() ? text : QStringLiteral("%1  %2").arg(text, keys));
+    button->setAccessibleName(text);
+  };
+  connect(action, &QAction::changed, button, follow);
+  follow();
 }
 
 QWidget* HomeView::card(const char* name, std::initializer_list<QWidget*> parts) {
@@ -325,7 +339,9 @@ void HomeView::move_focus(QWidget* keyboard) {
   QWidget* first = start_;
   if (!can_start_) {
     first = again_;
-    if (learner_.can_write()) first = !more_->isHidden() ? more_ : !ahead_->isHidden() ? ahead_ : settings_;
+    // Enter is the key for the next step all through a session. After the last one it must not begin more by
+    // accident, so the keyboard goes to the sentence that says the day is done, not to a button.
+    if (learner_.can_write()) first = more_->isHidden() && ahead_->isHidden() ? static_cast<QWidget*>(settings_) : advice_;
   }
   // The widget with the focus may be hidden now, or may no longer be the first thing to do.
   const bool moves = keyboard == focusProxy() || (keyboard != nullptr && !keyboard->isVisible());

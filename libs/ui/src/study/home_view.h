@@ -52,6 +52,8 @@ class HomeView final : public QScrollArea {
     std::vector<char32_t> shown;
   };
   QPushButton* button(QAction* action, const char* name, const QString& text, const char* role = nullptr);
+  /// The key of an action beside the words of its button, also after it was changed.
+  static void show_key(QPushButton* button, const QAction* action, const QString& text);
   QWidget* card(const char* name, std::initializer_list<QWidget*> parts);
   void set_text(QLabel* label, const QString& text);
   void show_tiles(Tiles& tiles, const std::vector<char32_t>& characters, bool captions);

@@ -2,24 +2,18 @@
 #include "study/new_list_dialog.h"
 
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 
-#include "nazori/base/file.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
+#include "study/text_file.h"
 
 namespace nazori::ui {
-namespace {
-
-constexpr std::size_t kLargestFile = 1'000'000;
-
-}  // namespace
 
 NewListDialog::NewListDialog(practice::Learner& learner, QWidget* parent)
     : QDialog(parent),
@@ -47,18 +41,11 @@ NewListDialog::NewListDialog(practice::Learner& learner, QWidget* parent)
 }
 
 void NewListDialog::read_file() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open a list"), {},
-                                                    tr("Text files (*.txt *.csv *.tsv);;All files (*)"));
-  if (path.isEmpty()) return;
-  const auto bytes = base::read_file(path.toStdString(), kLargestFile);
-  if (!bytes) {
-    trouble_->setText(reason(bytes.error()));
-    return;
-  }
-  text_->setPlainText(
-      QString::fromUtf8(reinterpret_cast<const char*>(bytes->data()), static_cast<qsizetype>(bytes->size())));
+  const auto file = ask_text_file(this, tr("Open a list"), *trouble_);
+  if (!file) return;
+  text_->setPlainText(file->text);
   if (name_->text().isEmpty())
-    name_->setText(path.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0));
+    name_->setText(file->path.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0));
 }
 
 void NewListDialog::read_and_accept() {

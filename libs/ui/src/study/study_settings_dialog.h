@@ -45,6 +45,7 @@ class StudySettingsDialog final : public QDialog {
   void show_choice();
   void show_weights();
   void new_list();
+  void mark_known();
   void remove_list();
   void move_list(int by);
   void import_weights();

@@ -16,6 +16,8 @@
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/learner_words.h"
+#include "study/known_dialog.h"
 #include "study/new_list_dialog.h"
 #include "study/study_settings_dialog.h"
 
@@ -49,6 +51,7 @@ QWidget* StudySettingsDialog::make_lists() {
   button("list_remove", tr("Remove"), [this] { remove_list(); });
   button("list_up", tr("Up"), [this] { move_list(-1); });
   button("list_down", tr("Down"), [this] { move_list(+1); });
+  button("list_know", tr("I know these…"), [this] { mark_known(); });
   button("list_postpone", tr("Postpone all…"), [this] {
     bool fine = false;
     const int days = QInputDialog::getInt(this, tr("Postpone"), tr("Days"), 7, 1, 3650, 1, &fine);
@@ -141,6 +144,21 @@ void StudySettingsDialog::new_list() {
       lists_->item(row)->setCheckState(Qt::Checked);
       lists_->setCurrentRow(row);
     }
+}
+
+void StudySettingsDialog::mark_known() {
+  KnownDialog dialog(learner_, this);
+  dialog.resize(size() * 0.8);
+  if (dialog.exec() != QDialog::Accepted) return;
+  if (!practice::take_plan(learner_, dialog.plan())) {
+    choice_->setText(LearnerWords::sentence(learner_.trouble()));
+    return;
+  }
+  show_choice();
+  choice_->setText(
+      choice_->text() + QLatin1Char('\n') +
+      tr("%Ln characters marked as known.", nullptr, static_cast<int>(dialog.plan().choices.known.size())) +
+      QLatin1Char(' ') + tr("Ctrl+Shift+Z: undo."));
 }
 
 void StudySettingsDialog::remove_list() {

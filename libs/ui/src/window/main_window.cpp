@@ -298,33 +298,6 @@ void MainWindow::Inside::enter(Page& page) {
   save_later();
 }
 
-void MainWindow::Inside::show_title() {
-  const QString title = current->title().isEmpty() ? without_mnemonic(current->name()) : current->title();
-  window.setWindowTitle(MainWindow::tr("%1 – Nazori").arg(title));
-}
-
-void MainWindow::Inside::show_state() {
-  const auto& preferences = parts.preferences();
-  const auto style = parts.tablet().style();
-  const std::pair<QAction*, bool> states[] = {
-      {actions->wood, style == view::Style::wood},
-      {actions->slate, style == view::Style::slate},
-      {actions->classic, style == view::Style::classic},
-      {actions->theme_desktop, preferences.theme == ThemeChoice::desktop},
-      {actions->theme_light, preferences.theme == ThemeChoice::light},
-      {actions->theme_dark, preferences.theme == ThemeChoice::dark},
-      {actions->language_desktop, preferences.language.isEmpty()},
-      {actions->language_english, preferences.language == QLatin1String("en")},
-      {actions->language_japanese, preferences.language == QLatin1String("ja")},
-      {actions->reduced_motion, preferences.reduced_motion},
-      {actions->left_handed, preferences.left_handed},
-  };
-  for (const auto& [action, on] : states) action->setChecked(on);
-  actions->text_larger->setEnabled(preferences.text_pt < Preferences::kMaxText_pt);
-  actions->text_smaller->setEnabled(preferences.text_pt > Preferences::kMinText_pt);
-  tool_bar->refresh();
-}
-
 void MainWindow::Inside::apply_appearance() {
   appearance.apply(parts.preferences().theme, parts.preferences().text_pt);
 }

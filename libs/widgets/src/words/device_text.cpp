@@ -18,6 +18,9 @@ QString device_name(std::string_view name) {
   if (name == "Mouse, pen or finger" || name == "Mouse or pen") return Words::tr("Mouse, pen or finger");
   if (name == "Joysticks, wheels and gamepads") return Words::tr("Joysticks, wheels and gamepads");
   if (name == "Simulated devices") return Words::tr("Simulated devices");
+  constexpr std::string_view kSimulated = " (simulated)";
+  if (name.ends_with(kSimulated))
+    return Words::tr("%1 (simulated)").arg(to_text(name.substr(0, name.size() - kSimulated.size())));
   return to_text(name);
 }
 

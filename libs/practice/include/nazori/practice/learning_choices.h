@@ -32,6 +32,7 @@ struct KnownAlready {
     up_to_grade,  ///< kana, and the kanji of the grades up to `level`: 1..6; 7: of secondary school, too
     up_to_jlpt,   ///< kana, and the kanji of the old levels from 4 down to `level`: 4..1
     checked,      ///< what a PlacementCheck found: `characters`
+    listed,       ///< every kanji and kana of LearningAnswers::known_text
   };
   Kind kind = Kind::nothing;
   int level = 0;
@@ -46,6 +47,7 @@ struct LearningAnswers {
   std::string own_text;   ///< of LearningGoal::own_list: any text with the characters
   std::string list_name;  ///< of the list that is made of it; a number is added where it is taken
   std::optional<KnownAlready> known;
+  std::string known_text;      ///< of KnownAlready::Kind::listed: any text or list
   std::optional<int> minutes;  ///< a day
 
   friend bool operator==(const LearningAnswers&, const LearningAnswers&) = default;
@@ -76,16 +78,25 @@ struct DailyAmount {
 /// @param can_be_studied  whether a character has strokes.
 [[nodiscard]] std::vector<char32_t> characters_in(std::string_view text,
                                                   const std::function<bool(char32_t)>& can_be_studied);
+/// The same with its kana, whether it has kanji or not.
+[[nodiscard]] std::vector<char32_t> kanji_and_kana_in(std::string_view text,
+                                                      const std::function<bool(char32_t)>& can_be_studied);
+
+/// The days on which known characters are first reviewed: from the seventh day on, the hardest first, on
+/// each day half of the reviews that fit into it, so that they do not all come at once.
+[[nodiscard]] std::vector<study::KnownCharacter> first_reviews(const std::vector<char32_t>& easiest_first,
+                                                               study::Day today, int reviews_per_day);
 
 /// What answers come to, before it is saved.
 struct LearningPlan {
   study::StudyChoices choices;
   char32_t first = 0;  ///< the first new character; 0: nothing new is left
 };
-/// Nothing that was studied already is marked as known, nor is any kana of the syllabary that is the goal.
-/// Known characters are reviewed from the seventh day on, the hardest first, on each day half of the reviews
-/// that fit into it. The learner's own lists and tags stay chosen.
-/// @return Errc::bad_argument for an own list without characters; the errors of the learner's lists.
+/// Nothing that was studied already is marked as known, nor is any kana of the syllabary that is the goal,
+/// unless a check or the learner named it. Known characters are reviewed on the days of first_reviews(). The
+/// learner's own lists and tags stay chosen.
+/// @return Errc::bad_argument for an own list or a known text without characters; the errors of the
+/// learner's lists.
 [[nodiscard]] base::Result<LearningPlan> plan_learning(Learner& learner, const LearningAnswers& answers);
 
 /// Saves a plan as one action with one undo, or nothing. @return whether it was saved; why not is announced
