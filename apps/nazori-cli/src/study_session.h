@@ -93,11 +93,12 @@ class StudySession {
 [[nodiscard]] std::string duration_text(std::chrono::milliseconds duration);
 
 // The subcommands of `study`, each group in its own file.
-void add_study_day(CLI::App& study, Action& chosen);      ///< due, next
-void add_study_review(CLI::App& study, Action& chosen);   ///< review, undo
-void add_study_changes(CLI::App& study, Action& chosen);  ///< know, postpone, pause, resume, reset, leech, settings
-void add_study_stats(CLI::App& study, Action& chosen);    ///< stats, workload
-void add_study_lists(CLI::App& study, Action& chosen);    ///< lists, profiles
+void add_study_day(CLI::App& study, Action& chosen);     ///< due, next
+void add_study_review(CLI::App& study, Action& chosen);  ///< review, undo
+void add_study_changes(CLI::App& study,
+                       Action& chosen);  ///< know, postpone, pause, resume, reset, leech, settings
+void add_study_stats(CLI::App& study, Action& chosen);  ///< stats, workload
+void add_study_lists(CLI::App& study, Action& chosen);  ///< lists, profiles
 void add_study_files(CLI::App& study, Action& chosen);  ///< export, import, backup, restore, rebuild, replay
 
 }  // namespace nazori::cli

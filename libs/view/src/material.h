@@ -8,8 +8,8 @@
 
 namespace nazori::view {
 
-/// What the material is like along a line straight down from a point of the face. It takes most of the time of
-/// a colour, and is the same for every character.
+/// What the material is like along a line straight down from a point of the face. It takes most of the time
+/// of a colour, and is the same for every character.
 struct Grain {
   float across_m = 0;  ///< from the axis of the rings, sideways; wood only
   float cloud = 0;     ///< of the broad patches, 0 their mean for wood, 0..1 for stone

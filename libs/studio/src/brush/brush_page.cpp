@@ -231,7 +231,7 @@ QString BrushPage::model_words() const {
   QString text;
   for (const char32_t c : models()) text += to_text(c);
   QString words = choice_.place == ModelPlace::beneath ? tr("Model beneath: %1.").arg(text)
-                                                             : tr("Model beside: %1.").arg(text);
+                                                       : tr("Model beside: %1.").arg(text);
   const int sheets = calligraphy::sheets_of(model_text(), std::max(choice_.ruling, 1));
   if (sheets <= 1) return words;
   const int at = ((part_ % sheets) + sheets) % sheets;

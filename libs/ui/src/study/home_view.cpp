@@ -341,7 +341,8 @@ void HomeView::move_focus(QWidget* keyboard) {
     first = again_;
     // Enter is the key for the next step all through a session. After the last one it must not begin more by
     // accident, so the keyboard goes to the sentence that says the day is done, not to a button.
-    if (learner_.can_write()) first = more_->isHidden() && ahead_->isHidden() ? static_cast<QWidget*>(settings_) : advice_;
+    if (learner_.can_write())
+      first = more_->isHidden() && ahead_->isHidden() ? static_cast<QWidget*>(settings_) : advice_;
   }
   // The widget with the focus may be hidden now, or may no longer be the first thing to do.
   const bool moves = keyboard == focusProxy() || (keyboard != nullptr && !keyboard->isVisible());
