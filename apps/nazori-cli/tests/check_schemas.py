@@ -208,7 +208,7 @@ class Schemas(unittest.TestCase):
         with open(export, encoding="utf-8") as text:
             learner = self.check("learner#learner", json.load(text))
         self.assertEqual({entry["kind"] for entry in learner["entries"]},
-                         {"writing", "postpone", "pause", "undo", "settings"})
+                         {"writing", "postpone", "pause", "undo", "settings", "known"})
         study("import", "import", export, "--profile", "Mari")
         self.assertEqual(study("profiles", "profiles"), ["Mari", "learner"])
         study("list_removal", "lists", "--remove", "trees")
