@@ -2,6 +2,7 @@
 // study know, postpone, pause, resume, reset, leech, settings
 #include <fmt/format.h>
 
+#include <iterator>
 #include <memory>
 #include <set>
 
@@ -42,7 +43,7 @@ int change(Console& console, const ChangeSettings& settings, const char* word, C
     }
     console.print(to_text(cards));
   } else {
-    console.print(fmt::format("{}: {}\n", word, counted(characters->size(), "character")));
+    console.print(fmt::format("{}: {}\n", word, counted(std::ssize(*characters), "character")));
   }
   return kDone;
 }
@@ -97,7 +98,7 @@ int know(Console& console, const KnowSettings& settings) {
     for (const char32_t one : *characters) cards.push_back(exchange::to_json(learner.card(one), learner));
     console.print(to_text(cards));
   } else {
-    console.print(fmt::format("known: {}\n", counted(known.size(), "character")));
+    console.print(fmt::format("known: {}\n", counted(std::ssize(known), "character")));
   }
   return known.empty() ? kNo : kDone;
 }

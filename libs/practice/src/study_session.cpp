@@ -219,7 +219,7 @@ void StudySession::rate(study::Rating rating) {
   event.card = card;
   event.now = store().now();
   event.today = store().today();
-  announce_event(std::move(event));
+  announce_event(event);
   if (card.next_stage != Stage::memory && !card.leech) {
     // Where it failed it is practised now, with the help that the error asks for.
     stage_ = card.next_stage;
@@ -279,7 +279,7 @@ void StudySession::undo() {
   event.kind = Kind::undone;
   event.characters = (*undone)->characters;
   event.entry = (*undone)->kind;
-  announce_event(std::move(event));
+  announce_event(event);
   if (!is_running()) return;
   if ((*undone)->kind != study::EntryKind::leech_met && (*undone)->characters.size() == 1) {
     const char32_t back = (*undone)->characters.front();
