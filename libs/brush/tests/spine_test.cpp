@@ -285,6 +285,8 @@ TEST(Spine, AShiftedSpineMovesAsBefore) {
   other.place(pressed(0.2, 0, 0.2));
   other.shift(2);
   EXPECT_EQ(other.pose().root.x, 2);
+  for (std::size_t k = 0; k < spine.nodes().size(); ++k)
+    EXPECT_DOUBLE_EQ(other.nodes()[k].x, spine.nodes()[k].x + 2) << k;
   spine.move_to(pressed(0.3, 0.2, 0.1));
   other.move_to(pressed(0.3, 2.2, 0.1));
   for (std::size_t k = 0; k < spine.nodes().size(); ++k)

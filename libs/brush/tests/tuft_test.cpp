@@ -211,6 +211,43 @@ TEST(Tuft, ARestingBristleSweepsAPoint) {
   }
 }
 
+/// Least, greatest and mean pressure of the bristles of an upright tuft that is pressed down and rests.
+struct Pressures {
+  double least = 1, greatest = 0, mean = 0;
+};
+Pressures pressures(double depth_m) {
+  Tuft tuft(number_4());
+  Swept swept;
+  tuft.move_to(upright(0, depth_m), swept);
+  swept.clear();
+  tuft.move_to(upright(0, depth_m, 0.1), swept);
+  Pressures made;
+  for (const BristleSegment& s : swept) {
+    made.least = std::min(made.least, s.pressure);
+    made.greatest = std::max(made.greatest, s.pressure);
+    made.mean += s.pressure / static_cast<double>(swept.size());
+  }
+  return made;
+}
+
+TEST(Tuft, ABristleAtTheEdgeOfTheFootprintPressesLessThanOneThatLiesOnThePaper) {
+  for (const double depth_m : {0.004, 0.012}) {
+    const Pressures found = pressures(depth_m);
+    EXPECT_GE(found.least, 0) << depth_m;
+    EXPECT_LT(found.least, 0.75 * found.greatest) << depth_m;
+  }
+}
+
+TEST(Tuft, BristlesPressHarderTheDeeperTheTuftIsPressed) {
+  // Half of the greatest pressure at a tenth of the length of the hair.
+  const double hair = number_4().hair_m;
+  const double light = pressures(0.05 * hair).greatest, half = pressures(0.1 * hair).greatest,
+               deep = pressures(0.3 * hair).greatest;
+  EXPECT_NEAR(light / half, (1.0 / 3) / (1.0 / 2), 0.1);
+  EXPECT_NEAR(deep / half, (3.0 / 4) / (1.0 / 2), 0.1);
+  EXPECT_LT(deep, 0.75 + 1e-9);
+}
+
 /// A curved stroke whose pressure rises and falls, with `per_s` reports a second.
 Swept stroke(double per_s) {
   Tuft tuft(number_4());
