@@ -26,6 +26,9 @@ if(NAZORI_BUILD_UI)
   find_package(Qt6 6.2 REQUIRED COMPONENTS Core DBus Gui Widgets OpenGL Svg LinguistTools)
   if(NAZORI_BUILD_TESTS)
     find_package(Qt6 6.2 REQUIRED COMPONENTS Test)
+    # It tells each test where it was built, which no test asks. With that a build in another folder finds nothing in the
+    # compiler cache.
+    set_property(TARGET Qt6::Test PROPERTY INTERFACE_COMPILE_DEFINITIONS QT_TESTLIB_LIB)
   endif()
 elseif(NAZORI_SANITIZE STREQUAL "thread" AND NAZORI_BUILD_TESTS)
   find_package(Qt6 6.2 REQUIRED COMPONENTS Core Gui)
