@@ -2,6 +2,7 @@
 // Gives every test program a folder for temporary files of its own. Tests run beside each other, and two that
 // wrote a file of the same name in /tmp would meet only sometimes.
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -21,6 +22,8 @@ class PrivateFolder {
       std::_Exit(2);
     }
     folder_ = name;
+    // Tests that give up the rights of root must still reach their files.
+    if (::chmod(name.c_str(), 0755) != 0) std::perror(name.c_str());
     ::setenv("TMPDIR", name.c_str(), 1);               // NOLINT(concurrency-mt-unsafe)
     ::setenv("TEST_TMPDIR", (name + "/").c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
   }
