@@ -293,6 +293,20 @@ TEST(LookalikeContrast, TheBorderLiesOnTheOthersSideOfTheMiddle) {
   EXPECT_TRUE(mistaken(70));
 }
 
+TEST(LookalikeContrast, TheStrokeThatShowsItMayBeTheFirst) {
+  const auto first_bar = [](char32_t code_point, double length) {
+    const std::string left = std::to_string(55 - length / 2), right = std::to_string(55 + length / 2);
+    return model_of(character(code_point, {"㇐|M" + left + ",10L" + right + ",10", "㇐|M20,50L90,50",
+                                           "㇐|M10,90L100,90", "㇑|M55,5L55,105"}));
+  };
+  const auto asked = first_bar(U'一', 30);
+  const std::vector<Model> others{first_bar(U'二', 70)};
+  const auto drawn = first_bar(U'一', 70);
+  const auto mistaken = mistaken_for(drawn.inside().main.shapes, asked.inside().main, others);
+  ASSERT_TRUE(mistaken);
+  EXPECT_EQ(mistaken->stroke, 0);
+}
+
 TEST(LookalikeContrast, OfSeveralTheNearestIsNamedAndThoseOfOtherCountsAreNot) {
   const auto asked = bars(U'一', 30);
   const std::vector<Model> others{model_of(soil()), bars(U'二', 50), bars(U'三', 85), bars(U'四', 30)};
