@@ -152,27 +152,32 @@ def planted(text, faults, header):
     return f'#include "{header}"\n#line 1\n' + "\n".join(lines)
 
 
+FEW_LINES = 12
 PLACE = re.compile(r"^(?:In file included from |\s+from )?([^\s:][^:\n]*):(\d+):(?:\d+:)?(.*)$", re.M)
 
 
 def blamed(messages, faults):
     """Those of the faults, {number: fault}, that the compiler's messages are about, with whether it wanted a constant there.
 
-    @return {number: bool}. First of all those at whose line an error is; else those at a line that was mentioned.
+    @return {number: bool}. First of all those at whose line an error is; else those at a line that was mentioned; else those
+    a few lines below one: an early return within a function that is an argument is told at the call.
     """
     places = collections.defaultdict(list)
     for number, fault in faults.items():
         places[(fault.file, fault.line)].append(number)
-    direct, mentioned = {}, {}
+    direct, mentioned, below = {}, {}, {}
     errors = "\n".join(re.findall(r"^.* error: .*$", messages, re.M))
     wants = re.compile(r"constant expression|constant-expression|constexpr|is not a constant|case label|bit-field|enumerator")
     for match in PLACE.finditer(messages):
         file = re.sub(r"^(?:\.\./)*", "", match.group(1))
         file = next((f for f, _ in places if file == f or file.endswith("/" + f)), file)
+        for number, fault in faults.items():
+            if fault.file == file and 0 < fault.line - int(match.group(2)) <= FEW_LINES:
+                below[number] = bool(wants.search(errors))
         for number in places.get((file, int(match.group(2))), ()):
             says = match.group(3)
             if " error:" in says:
                 direct[number] = direct.get(number, False) or bool(wants.search(says))
             else:
                 mentioned[number] = bool(wants.search(errors))
-    return direct or mentioned
+    return direct or mentioned or below

@@ -210,6 +210,13 @@ class Asleep(unittest.TestCase):
         self.assertEqual(blamed("libs/b.cpp:7:1: error: no\nlibs/a/src/f.cpp:1:5: note: declared here\n", {4: fault}), {4: False})
         self.assertEqual(blamed("libs/a/src/f.cpp:2:5: error: no\n", {4: fault}), {})
 
+    def test_an_early_return_within_an_argument_is_blamed_where_the_call_is_mentioned(self):
+        calls = "libs/a/src/inside.h:61:18: error: could not convert\nlibs/a/src/f.cpp:3:20:   required from here\n"
+        lines = "\n" * 3 + "  n = 3;\n" + "\n" * 30 + "  n = 4;\n"
+        faults = {f.line: f for f in faults_of("libs/a/src/f.cpp", f"void f() {{{lines}}}\n") if f.kind == "off by one"}
+        self.assertEqual(sorted(faults), [4, 35])
+        self.assertEqual(blamed(calls, faults), {4: False})
+
 
 class Rounds(unittest.TestCase):
     def test_a_fault_that_the_module_does_not_notice_is_shown_to_its_users_and_one_that_does_not_compile_is_replaced(self):
