@@ -123,8 +123,8 @@ function(nazori_rt_calls name roots)
 endfunction()
 
 # nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH
-# ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>] [TESTS_TOGETHER [TESTS_ALONE ...]] [ISOLATED_TESTS REGEX] [SANITIZED_PARTS N] [NOT_SANITIZED FILTER] [BENCHES
-# ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
+# ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>] [TESTS_TOGETHER [TESTS_ALONE ...]] [ISOLATED_TESTS REGEX] [SANITIZED_PARTS N]
+# [NOT_SANITIZED FILTER] [NOT_THREADED FILTER] [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
 # One room: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench file as part
 # of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are visible to users of the public headers,
@@ -132,10 +132,11 @@ endfunction()
 # kanji.db has been built and find its folder in the environment variable NAZORI_DATA. ISOLATED_TESTS: a pattern for
 # test files whose tests need a process each, because they share one set of signals. With the address sanitizer the other
 # tests share SANITIZED_PARTS processes (2 unless told otherwise), without those that the filter NOT_SANITIZED names;
-# otherwise each test has its own process. The thread sanitizer builds only
-# THREADED_TESTS: tests of code without threads cannot race. TESTS_TOGETHER: see nazori_compile_together.
+# otherwise each test has its own process. The thread sanitizer builds only THREADED_TESTS: tests of code without threads
+# cannot race. It runs all of them but those that NOT_SANITIZED or NOT_THREADED names. TESTS_TOGETHER: see
+# nazori_compile_together.
 function(nazori_module name)
-  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" "ISOLATED_TESTS;SANITIZED_PARTS;NOT_SANITIZED"
+  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" "ISOLATED_TESTS;SANITIZED_PARTS;NOT_SANITIZED;NOT_THREADED"
     "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;TESTS_ALONE;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
   if(m_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nazori_module(${name}): unknown ${m_UNPARSED_ARGUMENTS}")
@@ -184,7 +185,12 @@ function(nazori_module name)
       list(APPEND properties FIXTURES_REQUIRED kanji_database)
     endif()
     set(filter "")
-    if(NAZORI_SANITIZE MATCHES "address")
+    if(NAZORI_SANITIZE STREQUAL "thread")
+      string(JOIN ":" left_out ${m_NOT_SANITIZED} ${m_NOT_THREADED})
+      if(left_out)
+        set(filter TEST_FILTER "-${left_out}")
+      endif()
+    elseif(NAZORI_SANITIZE MATCHES "address")
       nazori_isolated_suites(isolated shared "${m_ISOLATED_TESTS}" ${m_TESTS})
       if(shared)
         nazori_test_parts(${name} "${m_SANITIZED_PARTS}" "${isolated}:${m_NOT_SANITIZED}" "${properties}")
