@@ -313,6 +313,13 @@ TEST(Draws, WhatHasStrokesAndNothingElse) {
   EXPECT_FALSE(database().draws(U'☃'));
 }
 
+TEST(Readings, AreOnyomiAndKunyomiWithoutReadingsOfNames) {
+  // KANJIDIC2: 山 has サン, セン and やま; its readings in names include さ.
+  EXPECT_THAT(database().readings(U'山'), testing::UnorderedElementsAre("サン", "セン", "やま"));
+  EXPECT_THAT(database().readings(U'休'), testing::Contains("キュウ"));
+  EXPECT_THAT(database().readings(U'\U0001F600'), testing::IsEmpty());
+}
+
 TEST(Words, OfRestBeginWithWhatALearnerMeets) {
   const auto words = database().words(U'休', 10);
   ASSERT_THAT(words, SizeIs(10));

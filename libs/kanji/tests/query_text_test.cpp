@@ -78,6 +78,9 @@ TEST(TypedQuery, TakesGradeLevelAndFrequency) {
   EXPECT_EQ(query.frequency, 500);
   EXPECT_EQ(read_query("学年:10").query.grade, 10);
   EXPECT_EQ(read_query("頻度:1").query.frequency, 1);
+  EXPECT_EQ(read_query("freq:99999").query.frequency, 99'999);
+  EXPECT_EQ(read_query("freq:100000").query.frequency, std::nullopt);
+  EXPECT_EQ(read_query("grade:10").query.grade, 10);
 }
 
 TEST(TypedQuery, TakesListsAndTagsAlsoWithBlanksInTheirNames) {
