@@ -237,6 +237,15 @@ TEST_F(BrushWritingTest, LiftingAPenThatIsNotDownDoesNothing) {
   EXPECT_FALSE(writing_.is_busy());
 }
 
+TEST_F(BrushWritingTest, TimeGoesOnUntilWhatWasAskedForIsAnswered) {
+  writing_.dip_in_water();
+  EXPECT_TRUE(writing_.is_waiting());
+  EXPECT_TRUE(writing_.is_busy());
+  settle();
+  EXPECT_FALSE(writing_.is_waiting());
+  EXPECT_FALSE(writing_.is_busy());
+}
+
 TEST_F(BrushWritingTest, UndoAndRedoSayWhatTheyDid) {
   line(0);
   writing_.undo();

@@ -168,6 +168,12 @@ TEST(SheetEditor, InksStandSideBySideInTheirOwnColours) {
   ASSERT_TRUE(e.set_ink("vermilion"));
   line(e, {-0.03, 0}, {0.03, 0});
   EXPECT_GT(redness(e), 60);
+  // Each has one slot, however often it was taken.
+  for (const auto ink : {"vermilion", "sumi-blue", "sumi"})
+    EXPECT_EQ(std::count_if(e.sheet().palette().begin(), e.sheet().palette().end(),
+                            [&](const paint::Pigment& pigment) { return pigment.name == ink; }),
+              1)
+        << ink;
 }
 
 TEST(SheetEditor, AFourthInkTakesADrySlotAndIsRefusedWhereAllAreWet) {
@@ -185,6 +191,9 @@ TEST(SheetEditor, AFourthInkTakesADrySlotAndIsRefusedWhereAllAreWet) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, base::Errc::in_use);
   EXPECT_EQ(e.state().ink, "sumi-blue");
+  // One that is on the sheet needs no slot.
+  EXPECT_TRUE(e.set_ink("vermilion"));
+  EXPECT_TRUE(e.set_ink("sumi-blue"));
   e.dry_now();
   EXPECT_TRUE(e.set_ink("sumi-brown"));
   EXPECT_EQ(e.state().ink, "sumi-brown");
