@@ -21,6 +21,9 @@ namespace {
 class PlotPanelByHand : public testing::Test {
  protected:
   PlotPanelByHand() {
+    // Windows of other tests leave theirs.
+    qApp->setStyleSheet({});
+    QApplication::setFont(QFont());
     panel_.resize(420, 900);
     panel_.show_window({-6, 6, -4, 4});
     panel_.show();
