@@ -14,7 +14,8 @@ class PointerBackEnd final : public BackEnd {
  public:
   [[nodiscard]] std::string_view id() const override { return "pointer"; }
   [[nodiscard]] BackEndFindings find() override {
-    return {"Mouse, pen or finger", {{"pointer", "Mouse, pen or finger", false, true}}, std::nullopt};
+    const std::string name(back_end_names::kPointer);
+    return {name, {{"pointer", name, false, true}}, std::nullopt};
   }
   [[nodiscard]] DeviceResult<OpenedDevice> open(std::string_view, const OpenRequest&) override {
     return OpenedDevice{"pointer", std::make_unique<PointerDevice>(), {}, {}};
@@ -33,7 +34,7 @@ class SimulatedBackEnd final : public BackEnd {
  public:
   [[nodiscard]] std::string_view id() const override { return "simulated"; }
   [[nodiscard]] BackEndFindings find() override {
-    BackEndFindings found{"Simulated devices", {}, std::nullopt};
+    BackEndFindings found{std::string(back_end_names::kSimulated), {}, std::nullopt};
     for (const auto& [id, preset] : kPresets) found.devices.push_back({id, preset().name, true, false});
     return found;
   }

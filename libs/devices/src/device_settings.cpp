@@ -52,6 +52,7 @@ DeviceSettings read_device(const base::Settings& s, const std::string& in) {
   d.max_stiffness_n_m = number_setting(s, in + "max_stiffness_n_m", 0, 0, 1e6);
   for (std::size_t i = 0; i < d.buttons.size(); ++i)
     d.buttons[i] = named_setting(s, in + button_key(i), kButtonNames, d.buttons[i]);
+  d.name = text_setting(s, in + "name");
   return d;
 }
 
@@ -71,6 +72,7 @@ void write_device(base::Settings& s, const std::string& in, const DeviceSettings
   set_number(s, in + "max_stiffness_n_m", d.max_stiffness_n_m);
   for (std::size_t i = 0; i < d.buttons.size(); ++i)
     set_name(s, in + button_key(i), kButtonNames, d.buttons[i]);
+  s.insert_or_assign(in + "name", d.name);
 }
 
 /// The numbers of a material by name, as they are stored.

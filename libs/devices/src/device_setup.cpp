@@ -6,9 +6,10 @@
 
 namespace nazori::devices {
 
-DeviceChoices device_choices(const std::vector<BackEndFindings>& findings, const std::string& chosen,
+DeviceChoices device_choices(const std::vector<BackEndFindings>& findings, const DeviceMemory& memory,
                              const std::string& in_use, const std::string& in_use_name) {
   using State = DeviceChoice::State;
+  const std::string& chosen = memory.chosen;
   DeviceChoices all;
   const auto add = [&](const std::string& id, const std::string& name, State state) {
     all.devices.push_back({id, name, state, id == chosen});
@@ -29,7 +30,10 @@ DeviceChoices device_choices(const std::vector<BackEndFindings>& findings, const
       all.problems.push_back(back_end);
   }
   if (!is_listed(in_use)) add(in_use, in_use_name, State::in_use);
-  if (!is_listed(chosen)) add(chosen, chosen, State::not_connected);
+  if (!is_listed(chosen)) {
+    const std::string name = settings_of(memory.devices, chosen).name;
+    add(chosen, name.empty() ? chosen : name, State::not_connected);
+  }
   return all;
 }
 
@@ -67,6 +71,7 @@ void DeviceSetup::follow(const DeviceEvent& event) {
 }
 
 void DeviceSetup::report_use(const DeviceEvent& event) {
+  if (device_.opened() != nullptr) memory_->devices[id_in_use()].name = event.device;
   const bool again = event.kind == DeviceEventKind::resumed;
   missing_is_news_ = false;
   if (again) missing_.reset();

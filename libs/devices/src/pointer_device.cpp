@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "nazori/devices/back_end.h"
 #include "nazori/haptics/latest_value.h"
 
 namespace nazori::devices {
@@ -126,7 +127,7 @@ PointerDevice::PointerDevice() : inside_(std::make_unique<Inside>()) {}
 PointerDevice::~PointerDevice() { stop(); }
 
 haptics::DeviceDescription PointerDevice::describe() const {
-  return {"Mouse or pen", 1 / kPeriod_s, false, {}};
+  return {std::string(back_end_names::kPointer), 1 / kPeriod_s, false, {}};
 }
 
 base::Result<void> PointerDevice::start(haptics::ServoCallback& servo) {

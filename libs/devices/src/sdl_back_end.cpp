@@ -17,7 +17,7 @@ namespace {
 
 using haptics::DeviceTrouble;
 
-constexpr const char* kName = "Joysticks, wheels and gamepads";
+constexpr std::string_view kName = back_end_names::kGamepads;
 
 struct Named {
   std::string id;
@@ -43,7 +43,7 @@ class SdlBackEnd final : public BackEnd {
   [[nodiscard]] std::string_view id() const override { return "sdl"; }
 
   [[nodiscard]] BackEndFindings find() override {
-    BackEndFindings found{kName, {}, std::nullopt};
+    BackEndFindings found{std::string(kName), {}, std::nullopt};
     const auto listed = port_->list();
     if (!listed) {
       found.problem = DeviceProblem{DeviceTrouble::init_failed, listed.error()};
@@ -54,7 +54,7 @@ class SdlBackEnd final : public BackEnd {
       found.devices.push_back({one.id, one.device.name, can.force(), can.force() && can.force_axes() >= 2});
       if (is_open(one.device)) found.problem = in_use(one.device).value();
     }
-    if (found.devices.empty()) found.problem = absent(kName).value();
+    if (found.devices.empty()) found.problem = absent(std::string(kName)).value();
     return found;
   }
 

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "nazori/devices/back_end.h"
 #include "nazori/devices/simulated_device.h"
 
 namespace nazori::devices {
+namespace {
+
+std::string simulated(const char* name) { return name + std::string(kSimulatedMark); }
+
+}  // namespace
 
 SimulatedHardware SimulatedHardware::touch() {
   SimulatedHardware h;
-  h.name = "Touch / PHANTOM Omni (simulated)";
+  h.name = simulated("Touch / PHANTOM Omni");
   h.limits.max_force_n = 3.3;
   h.limits.continuous_force_n = 0.88;
   h.limits.max_stiffness_n_m = 500;
@@ -20,7 +26,7 @@ SimulatedHardware SimulatedHardware::touch() {
 
 SimulatedHardware SimulatedHardware::touch_x() {
   SimulatedHardware h;
-  h.name = "Touch X / PHANTOM Desktop (simulated)";
+  h.name = simulated("Touch X / PHANTOM Desktop");
   h.limits.max_force_n = 7.9;
   h.limits.continuous_force_n = 1.75;
   h.limits.max_stiffness_n_m = 1000;
@@ -35,7 +41,7 @@ SimulatedHardware SimulatedHardware::touch_x() {
 
 SimulatedHardware SimulatedHardware::falcon() {
   SimulatedHardware h;
-  h.name = "Falcon (simulated)";
+  h.name = simulated("Falcon");
   h.limits.max_force_n = 8;
   h.limits.continuous_force_n = 4;
   h.limits.max_stiffness_n_m = 3000;
@@ -50,7 +56,7 @@ SimulatedHardware SimulatedHardware::falcon() {
 
 SimulatedHardware SimulatedHardware::omega_3() {
   SimulatedHardware h;
-  h.name = "omega.3 (simulated)";
+  h.name = simulated("omega.3");
   h.rate_hz = 4000;
   h.limits.max_force_n = 12;
   h.limits.continuous_force_n = 12;
@@ -66,7 +72,7 @@ SimulatedHardware SimulatedHardware::omega_3() {
 
 SimulatedHardware SimulatedHardware::inverse3() {
   SimulatedHardware h;
-  h.name = "Inverse3 (simulated)";
+  h.name = simulated("Inverse3");
   h.limits.max_force_n = 2;
   h.limits.continuous_force_n = 2;
   h.limits.max_stiffness_n_m = 1000;

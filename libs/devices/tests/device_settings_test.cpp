@@ -33,6 +33,7 @@ TEST_F(StoredDevices, HoldsEachDeviceTheMaterialAndTheChoice) {
   arm.max_force_n = 1.5;
   arm.max_stiffness_n_m = 250;
   arm.buttons = {ButtonDoes::clear_ink, ButtonDoes::nothing};
+  arm.name = "Touch (serial 12345)";
   memory.devices["pointer"].buttons = {ButtonDoes::previous_stroke, ButtonDoes::next_stroke};
   save(memory);
   const DeviceMemory read = load();
@@ -57,6 +58,7 @@ TEST_F(StoredDevices, HoldsEachDeviceTheMaterialAndTheChoice) {
   EXPECT_EQ(again.max_force_n, 1.5);
   EXPECT_EQ(again.max_stiffness_n_m, 250);
   EXPECT_EQ(again.buttons, arm.buttons);
+  EXPECT_EQ(again.name, "Touch (serial 12345)");
   const DeviceSettings other = settings_of(read.devices, "pointer");
   EXPECT_EQ(other.buttons, (std::array{ButtonDoes::previous_stroke, ButtonDoes::next_stroke}));
   EXPECT_EQ(other.posture.hand, WritingHand::right);

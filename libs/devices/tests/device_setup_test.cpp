@@ -23,6 +23,12 @@ BackEndFindings found(const std::string& name, std::vector<FoundDevice> devices,
   return made;
 }
 
+DeviceMemory chosen(const std::string& id) {
+  DeviceMemory memory;
+  memory.chosen = id;
+  return memory;
+}
+
 /// "id|name", "+" in use, "-" not connected, "*" chosen.
 std::vector<std::string> rows(const DeviceChoices& choices) {
   std::vector<std::string> all;
@@ -34,28 +40,35 @@ std::vector<std::string> rows(const DeviceChoices& choices) {
 
 TEST(DeviceChoices, TheBestComesFirstThenWhatWasFound) {
   const std::vector arms{found("Arms", {{"a:1", "One", true, true}, {"a:2", "Two", true, true}})};
-  EXPECT_EQ(rows(device_choices(arms, "", "a:2", "Two")),
+  EXPECT_EQ(rows(device_choices(arms, {}, "a:2", "Two")),
             (std::vector<std::string>{"|*", "a:1|One", "a:2|Two+"}));
-  EXPECT_EQ(rows(device_choices(arms, "a:1", "pointer", "Mouse")),
+  EXPECT_EQ(rows(device_choices(arms, chosen("a:1"), "pointer", "Mouse")),
             (std::vector<std::string>{"|", "a:1|One*", "a:2|Two", "pointer|Mouse+"}));
 }
 
 TEST(DeviceChoices, WhatIsInUseAndWhatWasChosenAreListedThoughTheyWereNotFound) {
-  EXPECT_EQ(rows(device_choices({}, "gone:1", "pointer", "Mouse")),
+  EXPECT_EQ(rows(device_choices({}, chosen("gone:1"), "pointer", "Mouse")),
             (std::vector<std::string>{"|", "pointer|Mouse+", "gone:1|gone:1-*"}));
-  EXPECT_EQ(rows(device_choices({}, "pointer", "pointer", "Mouse")),
+  EXPECT_EQ(rows(device_choices({}, chosen("pointer"), "pointer", "Mouse")),
             (std::vector<std::string>{"|", "pointer|Mouse+*"}));
+}
+
+TEST(DeviceChoices, ADeviceThatIsNotConnectedHasTheNameThatItHadWhenItWas) {
+  DeviceMemory memory = chosen("gone:1");
+  memory.devices["gone:1"].name = "Touch (serial 12345)";
+  EXPECT_EQ(rows(device_choices({}, memory, "pointer", "Mouse")),
+            (std::vector<std::string>{"|", "pointer|Mouse+", "gone:1|Touch (serial 12345)-*"}));
 }
 
 TEST(DeviceChoices, AProblemThatOurOwnUseOfTheDeviceCausesIsNotShown) {
   const std::vector all{found("Ours", {{"a:1", "One", true, true}}, DeviceTrouble::in_use),
                         found("Others", {{"o:1", "Other", true, true}}, DeviceTrouble::in_use),
                         found("Third", {}, DeviceTrouble::no_permission), found("Fine", {})};
-  const auto choices = device_choices(all, "", "a:1", "One");
+  const auto choices = device_choices(all, {}, "a:1", "One");
   ASSERT_EQ(choices.problems.size(), 2U);
   EXPECT_EQ(choices.problems[0].back_end, "Others");
   EXPECT_EQ(choices.problems[1].back_end, "Third");
-  EXPECT_EQ(device_choices({found("Ours", {{"a:1", "One", true, true}}, DeviceTrouble::no_permission)}, "",
+  EXPECT_EQ(device_choices({found("Ours", {{"a:1", "One", true, true}}, DeviceTrouble::no_permission)}, {},
                            "a:1", "One")
                 .problems.size(),
             1U);
@@ -108,6 +121,7 @@ TEST_F(DeviceSetupTest, TheChosenDeviceIsRememberedAndReported) {
   ASSERT_EQ(news_.size(), 1U);
   EXPECT_EQ(news_[0].kind, in_use);
   EXPECT_EQ(news_[0].device, "Scripted arm");
+  EXPECT_EQ(setup_.memory().devices.at("scripted:arm").name, "Scripted arm");
 }
 
 TEST_F(DeviceSetupTest, ADeviceThatCannotBeOpenedIsReportedOnceWhenTheSearchHasEnded) {

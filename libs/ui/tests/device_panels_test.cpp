@@ -130,8 +130,10 @@ class DeviceChoice : public testing::Test {
   }
   void show_findings(const std::vector<devices::BackEndFindings>& findings, const QString& chosen,
                      const QString& in_use, const QString& in_use_name) {
-    panel_.show_choices(devices::device_choices(findings, chosen.toStdString(), in_use.toStdString(),
-                                                in_use_name.toStdString()));
+    devices::DeviceMemory memory;
+    memory.chosen = chosen.toStdString();
+    panel_.show_choices(
+        devices::device_choices(findings, memory, in_use.toStdString(), in_use_name.toStdString()));
   }
   static haptics::DeviceDescription arm() { return {"Arm", 1000, true, {}}; }
 

@@ -21,6 +21,9 @@ namespace {
 class PlotPanelByHand : public testing::Test {
  protected:
   PlotPanelByHand() {
+    // Windows of other tests leave theirs.
+    qApp->setStyleSheet({});
+    QApplication::setFont(QFont());
     panel_.resize(420, 900);
     panel_.show_window({-6, 6, -4, 4});
     panel_.show();
@@ -326,6 +329,28 @@ TEST_F(PlotPanelByHand, NamesStandAboveTheirFieldsWhereThePanelIsNarrow) {
   EXPECT_FALSE(beside());
   panel_.resize(420, 900);
   EXPECT_TRUE(beside());
+}
+
+TEST_F(PlotPanelByHand, EachFieldIsSeenBelowTheOneBeforeAtAnyWidth) {
+  for (const int width : {420, 230, 130})
+    for (const bool surface : {true, false}) {
+      panel_.resize(width, 900);
+      panel_.show_surface(surface);
+      QCoreApplication::processEvents();
+      std::vector<const char*> shown{"window_x0", "window_x1", "window_y0", "window_y1"};
+      if (surface) shown.insert(shown.end(), {"window_z0", "window_z1"});
+      shown.insert(shown.end(), {"layer_axes", "layer_rim", "groove_width", "plate_size"});
+      int bottom = 0;
+      for (const char* name : shown) {
+        const auto* field = find<QWidget>(name);
+        ASSERT_TRUE(field->isVisible()) << name << " at " << width;
+        const int top = field->mapTo(find<QWidget>("plot_content"), QPoint(0, 0)).y();
+        EXPECT_GE(top, bottom) << name << " at " << width;
+        EXPECT_GE(field->height(), field->minimumSizeHint().height()) << name << " at " << width;
+        bottom = top + field->height();
+      }
+      EXPECT_EQ(find("window_z0")->isVisible(), surface);
+    }
 }
 
 TEST_F(PlotPanelByHand, EveryFieldHasANameForTheScreenReader) {

@@ -8,8 +8,10 @@
 #include "characters/stroke_counter.h"
 #include "hand_under_test.h"
 #include "nazori/practice/tracing_feedback.h"
+#include "nazori/widgets/controls/input_watch.h"
 #include "nazori/widgets/tablet/window_tablet.h"
 #include "nazori/widgets/words/feedback_tone.h"
+#include "pointing_under_test.h"
 #include "window/language.h"
 
 namespace nazori::ui {
@@ -92,9 +94,11 @@ class StageWordsTest : public StrokeWordsTest {
     return practice::tracing_feedback(event, stroke, controller_);
   }
   WindowTablet controller_;
+  QObject watched_;
 };
 
 TEST_F(StageWordsTest, InvitesByWhatIsToBeSeen) {
+  test::move_mouse(watched_);
   expect(practice::tracing_invitation(controller_), Feedback::hint,
          "Press the left button to touch the tablet; the right button turns it.");
   put_three();
@@ -109,6 +113,29 @@ TEST_F(StageWordsTest, InvitesByWhatIsToBeSeen) {
          "Stroke 2 is selected, but the strokes are hidden. S: show them.");
   expect(practice::tracing_invitation(controller_), Feedback::hint,
          "Hold the left button in a groove and follow it. S: show the strokes.");
+}
+
+TEST_F(StageWordsTest, NamesNoButtonToAPenADeviceOrKeys) {
+  const auto expect_no_button = [this] {
+    controller_.set_strokes_visible(true);
+    expect(practice::tracing_invitation(controller_), Feedback::hint,
+           "Start at number 1 and draw along the groove.");
+    controller_.set_strokes_visible(false);
+    expect(practice::tracing_invitation(controller_), Feedback::hint,
+           "Follow a groove. S: show the strokes.");
+  };
+  test::move_pen(watched_);
+  expect(practice::tracing_invitation(controller_), Feedback::hint, "Touch the tablet with the tip.");
+  put_three();
+  expect_no_button();
+  test::move_mouse(watched_);
+  InputWatch::of_program().set_has_device(true);
+  expect_no_button();
+  // The one that follows has seen no pointer, like that of a learner who only uses keys.
+  delete &InputWatch::of_program();
+  expect_no_button();
+  EXPECT_EQ(InputWatch::of_program().sentence({}),
+            QStringLiteral("You are writing with the mouse. A pen tablet works better."));
 }
 
 TEST_F(StageWordsTest, SaysWhetherStrokesHoldTheStylus) {

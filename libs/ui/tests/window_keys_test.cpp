@@ -74,6 +74,31 @@ TEST_F(Keys, F2AndF3FoldThePanelsAwayAndBack) {
   EXPECT_TRUE(find("information_panel")->isVisible());
 }
 
+TEST_F(Keys, APanelThatF2OrF3OpensHasTheKeyboardAndGivesItBackToTheTablet) {
+  for (const auto& [key, panel] :
+       {std::pair{Qt::Key_F2, "library_panel"}, {Qt::Key_F3, "information_panel"}}) {
+    const auto has_keyboard = [&] {
+      const auto* focus = QApplication::focusWidget();
+      return focus != nullptr && find(panel)->isAncestorOf(focus);
+    };
+    press(key);
+    ASSERT_FALSE(find(panel)->isVisible());
+    EXPECT_FALSE(has_keyboard());
+    press(key);
+    ASSERT_TRUE(find(panel)->isVisible());
+    EXPECT_TRUE(has_keyboard()) << panel;
+    press(key);
+    EXPECT_FALSE(has_keyboard());
+  }
+}
+
+TEST_F(Keys, APanelThatIsOpenedAgainGivesTheKeyboardToTheControlThatHadIt) {
+  find("character_grid")->setFocus();
+  press(Qt::Key_F2);
+  press(Qt::Key_F2);
+  EXPECT_TRUE(find("character_grid")->hasFocus());
+}
+
 TEST_F(Keys, F11LeavesOnlyTheTabletAndTheFeedbackAndEscapeComesBack) {
   press(Qt::Key_F11);
   EXPECT_FALSE(find("library_panel")->isVisible());

@@ -3,6 +3,7 @@
 #include "characters/characters.h"
 #include "hand_under_test.h"
 #include "nazori/widgets/page/window_parts.h"
+#include "pointing_under_test.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -121,6 +122,7 @@ TEST_F(Watching, ItPlaysByItselfUnlessNothingShallMove) {
 class Tracing : public Practice {
  protected:
   void begin(char32_t character) {
+    test::move_mouse(*QCoreApplication::instance());
     show(character);
     action("trace")->trigger();
   }

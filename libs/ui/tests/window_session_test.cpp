@@ -106,6 +106,20 @@ TEST_F(SessionWindow, PanelsAndToolbarFoldAwayWhileSomethingIsWrittenAndComeBack
   EXPECT_FALSE(find("left_side")->isVisible()) << "as the learner left it";
 }
 
+TEST_F(SessionWindow, WhenAllStrokesWereShownTheSentenceNamesTheKeyOfTheButton) {
+  start();
+  ASSERT_TRUE(is_shown());
+  auto& watch = the_parts->practice().watch();
+  ASSERT_TRUE(watch.is_entered());
+  watch.set_playing(true);
+  watch.show_moment(watch.player().duration_s() - 0.05);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("feedback_text").endsWith(QStringLiteral("Space: play again. Enter: trace.")); },
+      10'000))
+      << text("feedback_text").toStdString();
+  EXPECT_TRUE(find<QPushButton>("session_next")->text().endsWith(QStringLiteral("⏎")));
+}
+
 TEST_F(SessionWindow, AFoldedPanelOpensForAMomentWithoutBeingRemembered) {
   start();
   ASSERT_TRUE(is_shown());

@@ -16,6 +16,7 @@
 #include "nazori/widgets/controls/input_pause.h"
 #include "nazori/widgets/controls/input_watch.h"
 #include "nazori/widgets/page/window_parts.h"
+#include "pointing_under_test.h"
 #include "start/check_page.h"
 #include "start/start_page.h"
 #include "study/home.h"
@@ -414,19 +415,17 @@ TEST_F(WindowStart, ANewLearnerIsAskedToo) {
 
 TEST_F(WindowStart, WhatTheLearnerWritesWithIsSaid) {
   const QString mouse = QStringLiteral("You are writing with the mouse. A pen tablet works better.");
-  QMouseEvent move(QEvent::MouseMove, {5, 5}, {5, 5}, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(find("start_page"), &move);
+  test::move_mouse(*find("start_page"));
   EXPECT_EQ(text("start_input"), mouse);
   EXPECT_EQ(text("device"), mouse);
-  const QPointingDevice pen(QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus,
-                            QPointingDevice::PointerType::Pen, QInputDevice::Capability::All, 1, 2);
-  QTabletEvent touch(QEvent::TabletMove, &pen, {5, 5}, {5, 5}, 0.5, 0, 0, 0, 0, 0, Qt::NoModifier,
-                     Qt::NoButton, Qt::NoButton);
-  QCoreApplication::sendEvent(find("start_page"), &touch);
+  EXPECT_FALSE(find("device")->isVisible()) << "the page says it already";
+  test::move_pen(*find("start_page"));
   EXPECT_EQ(text("start_input"), QStringLiteral("You are writing with the pen."));
   EXPECT_EQ(text("device"), QStringLiteral("You are writing with the pen."));
-  QCoreApplication::sendEvent(find("start_page"), &move);
+  test::move_mouse(*find("start_page"));
   EXPECT_EQ(text("start_input"), mouse);
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_TRUE(find("device")->isVisible());
 }
 
 /// Words that are wider or higher than their widget are cut off.

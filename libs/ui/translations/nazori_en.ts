@@ -257,6 +257,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>All %n strokes shown. Space: play again. Enter: trace.</source>
+        <translation>
+            <numerusform>Stroke shown. Space: play again. Enter: trace.</numerusform>
+            <numerusform>All %n strokes shown. Space: play again. Enter: trace.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>All %n strokes written. Delete: clear the tablet.</source>
         <translation>
             <numerusform>Stroke written. Delete: clear the tablet.</numerusform>

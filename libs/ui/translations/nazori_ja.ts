@@ -5679,6 +5679,12 @@ Columns and rows:</source>
             <numerusform>全%n画です。スペースキーでもう一度再生、F6 で「なぞる」に進みます。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>All %n strokes shown. Space: play again. Enter: trace.</source>
+        <translation>
+            <numerusform>全%n画です。スペースキーでもう一度再生、Enter で「なぞる」に進みます。</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Speed: %1×.</source>
         <translation>速さ：%1倍。</translation>
@@ -5688,12 +5694,24 @@ Columns and rows:</source>
         <translation>左ボタンで文字板に触れ、右ボタンで回せます。</translation>
     </message>
     <message>
+        <source>Touch the tablet with the tip.</source>
+        <translation>ペン先で文字板に触れてみましょう。</translation>
+    </message>
+    <message>
         <source>Hold the left button in a groove and follow it. S: show the strokes.</source>
         <translation>溝の上で左ボタンを押したまま、溝に沿って動かしましょう。S で画を表示します。</translation>
     </message>
     <message>
+        <source>Follow a groove. S: show the strokes.</source>
+        <translation>溝に沿ってペンを動かしましょう。S で画を表示します。</translation>
+    </message>
+    <message>
         <source>Hold the left button at number 1 and draw along the groove.</source>
         <translation>番号 1 で左ボタンを押したまま、溝に沿って書きましょう。</translation>
+    </message>
+    <message>
+        <source>Start at number 1 and draw along the groove.</source>
+        <translation>番号 1 から、溝に沿って書きましょう。</translation>
     </message>
     <message>
         <source>Follow the groove.</source>
@@ -7843,6 +7861,14 @@ Columns and rows:</source>
     <message>
         <source>No sound: no working sound card was found (%1). Connect or switch on speakers or headphones. Everything else works.</source>
         <translation>音が出ません：使えるサウンドカードがありません（%1）。スピーカーかヘッドホンを接続するか、電源を入れてください。ほかの機能は使えます。</translation>
+    </message>
+    <message>
+        <source>No sound: no working sound card was found. Connect or switch on speakers or headphones. Everything else works.</source>
+        <translation>音が出ません：使えるサウンドカードがありません。スピーカーかヘッドホンを接続するか、電源を入れてください。ほかの機能は使えます。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
     </message>
 </context>
 </TS>

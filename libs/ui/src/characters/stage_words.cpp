@@ -7,6 +7,7 @@
 
 #include "characters/stroke_words.h"
 #include "nazori/kanji/meanings.h"
+#include "nazori/widgets/controls/input_watch.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
 #include "nazori/widgets/words/writing_language.h"
@@ -43,15 +44,23 @@ QString StageWords::watching(const StageFeedback& f) {
   }
 }
 
+QString StageWords::watched_in_session(int strokes) {
+  return tr("All %n strokes shown. Space: play again. Enter: trace.", nullptr, strokes);
+}
+
 QString StageWords::invitation(const StageFeedback& f) {
   QString sentence;
+  const bool by_button = InputWatch::of_program().writes_with_button();
   switch (f.event) {
     case StageEvent::touch_tablet:
-      return tr("Press the left button to touch the tablet; the right button turns it.");
+      return by_button ? tr("Press the left button to touch the tablet; the right button turns it.")
+                       : tr("Touch the tablet with the tip.");
     case StageEvent::follow_groove:
-      return tr("Hold the left button in a groove and follow it. S: show the strokes.");
+      return by_button ? tr("Hold the left button in a groove and follow it. S: show the strokes.")
+                       : tr("Follow a groove. S: show the strokes.");
     case StageEvent::draw_from_one:
-      return tr("Hold the left button at number 1 and draw along the groove.");
+      return by_button ? tr("Hold the left button at number 1 and draw along the groove.")
+                       : tr("Start at number 1 and draw along the groove.");
     case StageEvent::follow_hidden:
       sentence = tr("Follow the groove.");
       break;

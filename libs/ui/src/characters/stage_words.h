@@ -21,6 +21,9 @@ class StageWords {
   [[nodiscard]] static QString of_strokes(const practice::StageFeedback& feedback,
                                           const writing::Grade& grade);
 
+  /// What is said in a session when all strokes were shown. @param strokes  of the character.
+  [[nodiscard]] static QString watched_in_session(int strokes);
+
   /// "That is 大; 日 was asked." @param asked  0: not to be named yet.
   [[nodiscard]] static QString other_character(char32_t written, char32_t asked);
 

@@ -167,7 +167,7 @@ void DeviceChoicePanel::show_choices(const devices::DeviceChoices& choices) {
     add_choice(to_text(choice.id),
                choice.id.empty()                      ? tr("Automatic (best available)")
                : choice.state == State::in_use        ? tr("%1 – in use").arg(name)
-               : choice.state == State::not_connected ? tr("%1 – not connected").arg(to_text(choice.name))
+               : choice.state == State::not_connected ? tr("%1 – not connected").arg(name)
                                                       : name,
                choice.chosen);
   }

@@ -149,7 +149,7 @@ void DevicePage::connect_panels() {
 
 void DevicePage::connect_stylus() {
   subscribe(stylus_.found, this, [this](const auto& findings) {
-    choice_panel_->show_choices(devices::device_choices(findings, setup_.memory().chosen, setup_.id_in_use(),
+    choice_panel_->show_choices(devices::device_choices(findings, setup_.memory(), setup_.id_in_use(),
                                                         stylus_.own_description().name));
   });
   subscribe(stylus_.changed, this, [this] { show_device(); });
@@ -175,6 +175,7 @@ void DevicePage::report(const devices::DeviceNews& news) {
   using enum devices::DeviceNewsKind;
   switch (news.kind) {
     case in_use:
+      parts().save_later();
       parts().announce_when_open(Feedback::good, tr("Now using %1.").arg(device));
       return;
     case works_again:

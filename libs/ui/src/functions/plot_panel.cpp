@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFontInfo>
-#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -23,6 +22,7 @@
 #include "functions/plot_words.h"
 #include "nazori/functions/plot_examples.h"
 #include "nazori/functions/plot_model.h"
+#include "nazori/widgets/controls/field_row.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/look/icons.h"
 #include "nazori/widgets/look/palette.h"
@@ -96,14 +96,15 @@ PlotPanel::PlotPanel(QWidget* parent)
 
   column->addSpacing(8);
   column->addWidget(heading(tr("Range"), content_));
-  window_form_ = new QFormLayout;
-  window_form_->setSpacing(6);
+  const auto add_row = [this, column](const QString& name, QWidget* field) {
+    column->addWidget(rows_.emplace_back(new FieldRow(name, field, content_)));
+  };
   const QString names[] = {tr("x from"), tr("x to"), tr("y from"), tr("y to")};
   const char* ids[] = {"window_x0", "window_x1", "window_y0", "window_y1"};
   for (std::size_t i = 0; i < borders_.size(); ++i) {
     borders_[i] = named(new QLineEdit(content_), ids[i], names[i]);
     connect(borders_[i], &QLineEdit::editingFinished, this, &PlotPanel::read_window);
-    window_form_->addRow(names[i], borders_[i]);
+    add_row(names[i], borders_[i]);
   }
   const QString height_names[] = {tr("z from"), tr("z to")};
   const char* height_ids[] = {"window_z0", "window_z1"};
@@ -111,9 +112,8 @@ PlotPanel::PlotPanel(QWidget* parent)
     heights_[i] = named(new QLineEdit(content_), height_ids[i], height_names[i]);
     heights_[i]->setToolTip(tr("Height range of a surface; leave empty to fit its values"));
     connect(heights_[i], &QLineEdit::editingFinished, this, &PlotPanel::read_heights);
-    window_form_->addRow(height_names[i], heights_[i]);
+    add_row(height_names[i], heights_[i]);
   }
-  column->addLayout(window_form_);
 
   column->addSpacing(8);
   column->addWidget(heading(tr("Show on the plot"), content_));
@@ -121,8 +121,6 @@ PlotPanel::PlotPanel(QWidget* parent)
     connect(layer, &QCheckBox::clicked, this, &PlotPanel::read_plate);
     column->addWidget(layer);
   }
-  plate_form_ = new QFormLayout;
-  plate_form_->setSpacing(6);
   width_->findChild<QLineEdit*>()->setAccessibleName(width_->accessibleName());
   width_->setRange(0.4, 10);
   width_->setSingleStep(0.1);
@@ -131,12 +129,11 @@ PlotPanel::PlotPanel(QWidget* parent)
   width_->setKeyboardTracking(false);
   width_->setLocale(QLocale::system());
   connect(width_, &QDoubleSpinBox::valueChanged, this, &PlotPanel::read_plate);
-  plate_form_->addRow(tr("Groo&ve width"), width_);
+  add_row(tr("Groo&ve width"), width_);
   for (const int side : {128, 256, 512, 1024, 2048}) size_->addItem(QString::number(side), side);
   connect(size_, &QComboBox::activated, this, &PlotPanel::read_plate);
   make_narrow(size_, 4);
-  plate_form_->addRow(tr("Sam&ples"), size_);
-  column->addLayout(plate_form_);
+  add_row(tr("Sam&ples"), size_);
 
   column->addSpacing(8);
   auto* sound = heading(tr("Vol&ume"), content_);
@@ -194,23 +191,11 @@ void PlotPanel::fit() {
   const bool narrow = viewport()->width() - 2 * kMargin < kBeside_em * em;
   const int margin = narrow ? kMargin / 4 : kMargin;
   content_->layout()->setContentsMargins(margin, kMargin, margin, kMargin);
-  for (auto* form : {window_form_, plate_form_}) {
-    form->setRowWrapPolicy(narrow ? QFormLayout::WrapAllRows : QFormLayout::DontWrapRows);
-    for (int row = 0; row < form->rowCount(); ++row)
-      if (auto* item = form->itemAt(row, QFormLayout::LabelRole))
-        if (auto* label = qobject_cast<QLabel*>(item->widget())) {
-          label->setWordWrap(narrow);
-          // The form layout gives a label above its field the width of its text in one line.
-          label->setMaximumWidth(narrow ? viewport()->width() - 2 * margin : QWIDGETSIZE_MAX);
-        }
-  }
+  FieldRow::arrange(rows_, narrow);
 }
 
 void PlotPanel::show_surface(bool surface) {
-  for (auto* border : heights_) {
-    border->setVisible(surface);
-    window_form_->labelForField(border)->setVisible(surface);
-  }
+  for (auto* border : heights_) border->parentWidget()->setVisible(surface);
 }
 
 void PlotPanel::show_words(const QString& words) {

@@ -11,7 +11,6 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -20,6 +19,7 @@ class QSlider;
 namespace nazori::ui {
 
 class ExpressionLine;
+class FieldRow;
 class ParameterSliders;
 
 /// The left panel: the expression and how it was read, the range, what is shown on the plate, and the sound.
@@ -80,8 +80,7 @@ class PlotPanel final : public QScrollArea {
   QProgressBar* progress_;
   ParameterSliders* parameters_;
   QComboBox* examples_;
-  QFormLayout* window_form_ = nullptr;
-  QFormLayout* plate_form_ = nullptr;
+  std::vector<FieldRow*> rows_;
   std::array<QLineEdit*, 4> borders_{};  ///< x0, x1, y0, y1
   std::array<QLineEdit*, 2> heights_{};  ///< z0, z1
   QCheckBox* axes_;

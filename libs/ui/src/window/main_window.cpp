@@ -280,6 +280,7 @@ void MainWindow::Inside::enter(Page& page) {
   stage->setCurrentWidget(holder);
   tool_bar->enter(page);
   status->show_figures(page.id() == QLatin1String("device"));
+  status->show_input(page.id() != QLatin1String("start"));
   tablet_container->setAccessibleDescription(page.tablet_description());
   if (replacement == nullptr) {
     QWidget* before = tool_bar;

@@ -9,6 +9,7 @@
 #include "nazori/practice/session_question.h"
 #include "nazori/studio/print/worksheet_dialog.h"
 #include "nazori/widgets/controls/feedback_line.h"
+#include "nazori/widgets/controls/input_watch.h"
 #include "nazori/widgets/controls/panes.h"
 #include "nazori/widgets/controls/status_line.h"
 #include "nazori/widgets/dialogs/about_dialog.h"
@@ -111,8 +112,14 @@ void MainWindow::Inside::connect_actions() {
     emit parts.study_settings_changed();
     save_later();
   });
-  on(actions->left_panel, [this](bool open) { panes->open_left(open); });
-  on(actions->right_panel, [this](bool open) { panes->open_right(open); });
+  on(actions->left_panel, [this](bool open) {
+    panes->open_left(open);
+    if (open) panes->give_keyboard_left();
+  });
+  on(actions->right_panel, [this](bool open) {
+    panes->open_right(open);
+    if (open) panes->give_keyboard_right();
+  });
   on(actions->full_screen, [this](bool full) { set_full_screen(full); });
 
   camera(actions->turn_left, [](TabletWindow& w) { w.orbit_by(-kTurnStep_px, 0); });
@@ -171,6 +178,10 @@ void MainWindow::Inside::connect_parts() {
     show_state();
     save_later();
   });
+  auto& device = parts.tablet().device();
+  const auto watch_device = [&device] { InputWatch::of_program().set_has_device(!device.is_pointer()); };
+  subscribe(device.changed, &window, watch_device);
+  watch_device();
   subscribe(parts.tablet().depth_changed, status, [this](double depth_m) { status->show_depth(depth_m); });
   QObject::connect(&appearance, &Appearance::changed, &window, [this] { refresh_appearance(); });
 }

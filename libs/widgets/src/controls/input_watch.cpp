@@ -63,6 +63,7 @@ bool InputWatch::eventFilter(QObject* /*watched*/, QEvent* event) {
               ? Kind::pen
           : pointer == QPointingDevice::PointerType::Finger ? Kind::finger
                                                             : Kind::mouse;
+      has_pointed_ = true;
       if (std::exchange(kind_, kind) != kind) emit changed();
       break;
     }

@@ -33,6 +33,22 @@ void put(QWidget* panel, QWidget* before, QWidget* holder) {
   panel->show();
 }
 
+void give_keyboard(QWidget* panel) {
+  if (panel == nullptr) return;
+  const auto accepts = [panel](const QWidget* one) {
+    return one != nullptr && one->isEnabled() && one->isVisibleTo(panel) &&
+           (one->focusPolicy() & Qt::TabFocus) != 0;
+  };
+  QWidget* wanted = panel->focusWidget();
+  if (!accepts(wanted)) {
+    // The chain of Tab goes round the whole window; the part of it within the panel comes in its order.
+    wanted = panel->nextInFocusChain();
+    while (wanted != panel && !(panel->isAncestorOf(wanted) && accepts(wanted)))
+      wanted = wanted->nextInFocusChain();
+  }
+  if (wanted != panel || accepts(panel)) wanted->setFocus(Qt::ShortcutFocusReason);
+}
+
 }  // namespace
 
 Panes::Panes(QWidget* tablet, QWidget* parent)
@@ -80,6 +96,10 @@ void Panes::open_right(bool open) {
   if (!drawers_ && !right_folded_) right_wanted_ = open;
   show_panels(left_->isVisibleTo(this) && !(drawers_ && open), open);
 }
+
+void Panes::give_keyboard_left() { give_keyboard(shown_left()); }
+
+void Panes::give_keyboard_right() { give_keyboard(shown_right()); }
 
 void Panes::close_drawers() {
   if (drawers_ || left_folded_ || right_folded_) show_wanted();

@@ -107,6 +107,11 @@ void StatusLine::show_figures(bool shown) {
   fit();
 }
 
+void StatusLine::show_input(bool shown) {
+  has_input_ = shown;
+  fit();
+}
+
 void StatusLine::changeEvent(QEvent* event) {
   QStatusBar::changeEvent(event);
   // Its height depends on its labels, whose font changes after its own.
@@ -134,7 +139,7 @@ void StatusLine::fit() {
   bool full = false;
   for (auto* label : {record_, device_, depth_, rate_, missed_, timing_}) {
     const bool is_figure = label != record_ && label != device_;
-    if (label->text().isEmpty() || (is_figure && !has_figures_) ||
+    if (label->text().isEmpty() || (is_figure && !has_figures_) || (label == device_ && !has_input_) ||
         (label == record_ && !recording_.is_on() && !recording_.is_exporting())) {
       label->hide();
       continue;

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "nazori/devices/back_end.h"
+#include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
@@ -15,19 +17,20 @@ struct Words {
 }  // namespace
 
 QString device_name(std::string_view name) {
-  if (name == "Mouse, pen or finger" || name == "Mouse or pen") return Words::tr("Mouse, pen or finger");
-  if (name == "Joysticks, wheels and gamepads") return Words::tr("Joysticks, wheels and gamepads");
-  if (name == "Simulated devices") return Words::tr("Simulated devices");
-  constexpr std::string_view kSimulated = " (simulated)";
-  if (name.ends_with(kSimulated))
-    return Words::tr("%1 (simulated)").arg(to_text(name.substr(0, name.size() - kSimulated.size())));
+  using namespace devices;
+  if (name == back_end_names::kPointer) return Words::tr("Mouse, pen or finger");
+  if (name == back_end_names::kGamepads) return Words::tr("Joysticks, wheels and gamepads");
+  if (name == back_end_names::kSimulated) return Words::tr("Simulated devices");
+  if (name.ends_with(kSimulatedMark))
+    return Words::tr("%1 (simulated)").arg(to_text(name.substr(0, name.size() - kSimulatedMark.size())));
   return to_text(name);
 }
 
 QString trouble_text(haptics::DeviceTrouble trouble, const QString& name, const QString& detail) {
   using enum haptics::DeviceTrouble;
   const auto with_detail = [&](const QString& sentence) {
-    return detail.isEmpty() ? sentence : Words::tr("%1 (%2)").arg(sentence, detail);
+    // The driver speaks English.
+    return detail.isEmpty() || !is_english() ? sentence : Words::tr("%1 (%2)").arg(sentence, detail);
   };
   switch (trouble) {
     case none:

@@ -2,6 +2,8 @@
 #include "nazori/widgets/words/error_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
 
 #include "nazori/widgets/words/kanji_text.h"
 
@@ -34,9 +36,24 @@ QString kind(base::Errc code) {
   return {};
 }
 
+/// The end of "words.csv:3" or "words.csv:3:14", which is understood in each language.
+QString line_of(const base::Error& error) {
+  static const QRegularExpression line(QStringLiteral("[^/]+(:[0-9]+){1,2}$"));
+  return line.match(to_text(error.where)).captured();
+}
+
 }  // namespace
 
+bool is_english() {
+  const auto language = QLocale().language();
+  return language == QLocale::English || language == QLocale::C;
+}
+
 QString reason(const base::Error& error) {
+  if (!is_english()) {
+    const QString line = line_of(error);
+    return line.isEmpty() ? kind(error.code) : Words::tr("%1 (%2)").arg(kind(error.code), line);
+  }
   QString detail = to_text(error.what);
   while (detail.endsWith(QLatin1Char('.'))) detail.chop(1);
   if (!error.remedy.empty()) detail += QStringLiteral("; ") + to_text(error.remedy);
@@ -44,6 +61,10 @@ QString reason(const base::Error& error) {
 }
 
 QString no_sound(const base::Error& error) {
+  if (!is_english())
+    return Words::tr(
+        "No sound: no working sound card was found. Connect or switch on speakers or headphones. "
+        "Everything else works.");
   return Words::tr(
              "No sound: no working sound card was found (%1). Connect or switch on "
              "speakers or headphones. Everything else works.")

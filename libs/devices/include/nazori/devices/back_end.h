@@ -31,6 +31,16 @@ using DeviceResult = tl::expected<T, DeviceProblem>;
       {trouble, {base::Errc::device, std::move(what), std::move(where), std::move(remedy)}});
 }
 
+/// Names that are words, which a window says in its own language. Other names are those of products.
+namespace back_end_names {
+inline constexpr std::string_view kPointer = "Mouse, pen or finger";
+inline constexpr std::string_view kGamepads = "Joysticks, wheels and gamepads";
+inline constexpr std::string_view kSimulated = "Simulated devices";
+}  // namespace back_end_names
+
+/// What the name of a simulated device ends with: "Falcon (simulated)".
+inline constexpr std::string_view kSimulatedMark = " (simulated)";
+
 /// A device that could be opened now.
 struct FoundDevice {
   std::string id;    ///< "openhaptics", "inverse3:049D": what open() takes, the same after unplugging

@@ -27,6 +27,7 @@ struct DeviceSettings {
   double max_force_n = 0;                           ///< the learner's own limit; 0: the device's
   double max_stiffness_n_m = 0;                     ///< likewise
   std::array<ButtonDoes, kButtons> buttons{ButtonDoes::next_stroke, ButtonDoes::all_strokes};
+  std::string name;  ///< for people, as when it was last open; empty: it never was
 };
 
 /// The saved settings of each device, by its id.

@@ -46,7 +46,8 @@ struct DeviceNews {
 struct DeviceChoice {
   enum class State : std::uint8_t { found, in_use, not_connected };
   std::string id;    ///< empty: the best one available
-  std::string name;  ///< for people; of one that is not connected, its id; empty: the best one available
+  std::string name;  ///< for people; of one that is not connected and never was, its id; empty: the best one
+                     ///< available
   State state = State::found;
   bool chosen = false;
 };
@@ -57,10 +58,10 @@ struct DeviceChoices {
   std::vector<BackEndFindings> problems;  ///< back ends with a problem that is to be shown
 };
 
-/// @param chosen  id; empty: the best one available. @param in_use  id of the open device, "pointer" for
-/// none.
+/// @param memory  the chosen device, and the names of devices that were open before. @param in_use  id of the
+/// open device, "pointer" for none.
 [[nodiscard]] DeviceChoices device_choices(const std::vector<BackEndFindings>& findings,
-                                           const std::string& chosen, const std::string& in_use,
+                                           const DeviceMemory& memory, const std::string& in_use,
                                            const std::string& in_use_name);
 
 /// How a learner sets up the device of the tablet: which one, its posture, limits and buttons, a trial with

@@ -39,6 +39,14 @@ QList<QAction*> WatchView::own_actions() const {
           actions().slower, actions().faster,    actions().loop};
 }
 
+QString WatchView::sentence(const practice::StageFeedback& feedback) const {
+  // In a session the button below the tablet leads on, with its own key.
+  const auto& session = parts().session();
+  if (feedback.event == practice::StageEvent::all_watched && session.is_running() && !session.is_away())
+    return StageWords::watched_in_session(feedback.count);
+  return StageView::sentence(feedback);
+}
+
 QList<Tool> WatchView::tools() const {
   return {{actions().play, true}, {actions().step_back}, {location_}, {actions().step_on},   {},
           {actions().slower},     {actions().faster},    {},          {actions().loop, true}};

@@ -17,6 +17,7 @@ class WatchView final : public StageView {
   WatchView(practice::WatchStage& stage, WindowParts& parts, CharacterActions& actions);
   [[nodiscard]] QList<QAction*> own_actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
+  [[nodiscard]] QString sentence(const practice::StageFeedback& feedback) const override;
 
  protected:
   void refresh() override;

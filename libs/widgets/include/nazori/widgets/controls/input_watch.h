@@ -18,6 +18,13 @@ class InputWatch final : public QObject {
   [[nodiscard]] static InputWatch& of_program();
 
   [[nodiscard]] Kind kind() const { return kind_; }
+  /// Whether a mouse button puts the tip on the tablet: false for a pen, a finger or a device, and as long as
+  /// nothing has pointed (a learner who writes with keys has no button to hold).
+  [[nodiscard]] bool writes_with_button() const {
+    return has_pointed_ && !has_device_ && kind_ == Kind::mouse;
+  }
+  /// @param has_device  whether a device drives the tablet in place of the pointer.
+  void set_has_device(bool has_device) { has_device_ = has_device; }
   /// What the learner writes with, in one sentence. @param device  that drives the tablet in place of the
   /// pointer; empty: none.
   [[nodiscard]] QString sentence(const QString& device) const;
@@ -34,6 +41,8 @@ class InputWatch final : public QObject {
   explicit InputWatch(QObject* program);
 
   Kind kind_ = Kind::mouse;
+  bool has_pointed_ = false;
+  bool has_device_ = false;
 };
 
 }  // namespace nazori::ui

@@ -24,6 +24,10 @@ class Panes final : public QSplitter {
   void set_open(bool left, bool right);
   void open_left(bool open);
   void open_right(bool open);
+  /// Gives the keyboard to the panel of that side, if it is shown: to what had it there last, else to its
+  /// first control.
+  void give_keyboard_left();
+  void give_keyboard_right();
   [[nodiscard]] bool are_drawers() const { return drawers_; }
   /// The panel that is shown; nullptr: none, or folded away.
   [[nodiscard]] QWidget* shown_left() const;

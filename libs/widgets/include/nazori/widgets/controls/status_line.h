@@ -26,6 +26,8 @@ class StatusLine final : public QStatusBar {
   void show_depth(double depth_m);
   /// Figures are for the page of devices: a learner has no use for them.
   void show_figures(bool shown);
+  /// A page that says itself what one writes with needs no second line of it.
+  void show_input(bool shown);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -49,6 +51,7 @@ class StatusLine final : public QStatusBar {
   QElapsedTimer since_;
   std::uint64_t ticks_ = 0;
   bool has_figures_ = false;
+  bool has_input_ = true;
 };
 
 }  // namespace nazori::ui

@@ -7,8 +7,13 @@
 
 namespace nazori::ui {
 
-/// Why something failed, in the language of the interface: the kind of failure, then the exact message if it
-/// helps.
+/// Whether the interface speaks English. The messages of libraries are English: elsewhere they are left out
+/// of sentences.
+[[nodiscard]] bool is_english();
+
+/// Why something failed, in the language of the interface: the kind of failure, then in brackets the exact
+/// message and its remedy; in other languages than English the line of the file in their place, if it is
+/// known.
 [[nodiscard]] QString reason(const base::Error& error);
 
 /// The sentence for a computer that cannot play sound, with what to do about it.
