@@ -109,7 +109,8 @@ class ArcPoints {
     double h = 1e-8 * span_;
     for (int i = 0; i < kSidesTried; ++i, h *= 8) {
       const auto s = beside(t, side * h);
-      if (!s) return 0;
+      // Beyond a break it is the sign of another piece.
+      if (!s || list_.has_break(statement_, t + side * h / 2, h / 2)) return 0;
       const double v = f.certain_value(*s);
       if (v != 0 && !std::isnan(v)) return v < 0 ? -1 : 1;
     }
@@ -204,6 +205,8 @@ class ArcPoints {
       const int before = sign_beside(slope_y_, t, -1);
       const int after = sign_beside(slope_y_, t, 1);
       if (before * after >= 0 || !is_joined(t)) continue;
+      // Where the curve turns round and goes back the same way it ends.
+      if (arc_.ends_are_real && goes_back(t)) continue;
       if (std::abs(y) < 1e-15 * height) y = 0;
       add(after > 0 ? PointKind::minimum : PointKind::maximum, x, y, t);
     }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "algebra.h"
+#include "arc_probe.h"
 #include "derivative.h"
 #include "nazori/functions/tape.h"
 #include "plane_system.h"
@@ -116,15 +117,44 @@ class EquationPoints {
     };
     // Off round angles, so that no arm runs exactly through a sample.
     const auto angle = [](int i) { return 0.0007 + 2 * std::numbers::pi * i / kSteps; };
+    std::vector<double> values(kSteps + 1);
+    for (int i = 0; i <= kSteps; ++i) values[static_cast<std::size_t>(i)] = at(angle(i % kSteps));
     std::vector<double> all;
-    double last = at(angle(0));
     for (int i = 1; i <= kSteps; ++i) {
-      const double next = i == kSteps ? at(angle(0)) : at(angle(i));
-      if (std::isfinite(last) && std::isfinite(next) && (last < 0) != (next < 0))
+      const double last = values[static_cast<std::size_t>(i - 1)];
+      const double here = values[static_cast<std::size_t>(i)];
+      const double next = values[static_cast<std::size_t>(i % kSteps + 1)];
+      if (std::isfinite(last) && std::isfinite(here) && (last < 0) != (here < 0))
         all.push_back((angle(i - 1) + angle(i)) / 2);
-      last = next;
+      const bool turns = (last < 0) == (here < 0) && (here < 0) == (next < 0) && std::abs(here) <= std::abs(last) &&
+                         std::abs(here) <= std::abs(next);
+      if (turns) add_close_arms(at, angle(i - 1), angle(i + 1), all);
     }
+    std::sort(all.begin(), all.end());
     return all;
+  }
+
+  /// Two arms between neighbouring samples, as where two lines touch: there the value turns beyond zero.
+  template <class F>
+  static void add_close_arms(const F& at, double low, double high, std::vector<double>& all) {
+    constexpr double kGolden = 0.6180339887498949;
+    constexpr int kTurns = 45;
+    const double sign = at(low) < 0 ? -1 : 1;
+    const double from = low;
+    const double to = high;
+    for (int i = 0; i < kTurns; ++i) {
+      const double a = high - kGolden * (high - low);
+      const double b = low + kGolden * (high - low);
+      const double value_a = sign * at(a);
+      const double value_b = sign * at(b);
+      if (std::min(value_a, value_b) < 0) {
+        const double beyond = value_a < value_b ? a : b;
+        all.push_back(bisect(from, beyond, at));
+        all.push_back(bisect(beyond, to, at));
+        return;
+      }
+      (value_a < value_b ? high : low) = value_a < value_b ? b : a;
+    }
   }
 
   void classify(double x, double y) {

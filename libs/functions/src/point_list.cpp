@@ -41,7 +41,7 @@ bool PointList::has_near(int statement, PointKind kind, double x, double y, doub
 }
 
 bool PointList::has_event(int statement, EventKind kind, double parameter, double reach) const {
-  return std::any_of(tracing_.events.begin(), tracing_.events.end(), [&](const Event& e) {
+  return std::any_of(events_.begin(), events_.end(), [&](const Event& e) {
     return e.statement == statement && e.kind == kind && std::abs(e.parameter - parameter) <= reach;
   });
 }

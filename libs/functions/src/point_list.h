@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "nazori/functions/points.h"
@@ -19,7 +20,8 @@ class PointList {
         tracing_(tracing),
         window_(tracing.window),
         most_(most),
-        counts_(plot.statements.size()) {}
+        counts_(plot.statements.size()),
+        events_(tracing.events) {}
 
   [[nodiscard]] const Plot& plot() const { return plot_; }
   [[nodiscard]] const Tracing& tracing() const { return tracing_; }
@@ -27,6 +29,10 @@ class PointList {
   [[nodiscard]] const Statement& statement(int i) const {
     return plot_.statements[static_cast<std::size_t>(i)];
   }
+
+  /// What tracing found, in places that are solved for exactly.
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  void set_events(std::vector<Event> events) { events_ = std::move(events); }
 
   /// @return the point, or null where it was not added.
   PointOfInterest* add(int statement, PointKind kind, double x, double y, double parameter = 0,
@@ -50,6 +56,7 @@ class PointList {
   std::size_t most_;
   std::vector<std::size_t> counts_;
   std::vector<PointOfInterest> found_;
+  std::vector<Event> events_;
 };
 
 }  // namespace nazori::functions

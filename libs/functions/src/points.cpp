@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "algebra.h"
 #include "arc_points.h"
 #include "arcs.h"
 #include "asymptotes.h"
+#include "break_places.h"
 #include "equation_points.h"
 #include "far_out.h"
 #include "meetings.h"
@@ -27,6 +29,8 @@ class PointFinder {
   std::vector<PointOfInterest> run() {
     const auto count = static_cast<int>(plot_.statements.size());
     complete_.assign(plot_.statements.size(), false);
+    for (int i = 0; i < count; ++i) solve_for_breaks(i);
+    list_.set_events(exact_events());
     for (int i = 0; i < count; ++i) {
       const Statement& s = list_.statement(i);
       if (is_large(s)) continue;
@@ -37,7 +41,8 @@ class PointFinder {
           complete_[static_cast<std::size_t>(i)] = add_points_of_equation(f, i, list_);
       }
     }
-    for (const Event& e : tracing_.events) add(e);
+    for (const Event& e : list_.events()) add(e);
+    for (int i = 0; i < count; ++i) add_values_at_steps(i);
     for (int i = 0; i < count; ++i) {
       if (!is_large(list_.statement(i))) add_asymptotes(i, list_);
     }
@@ -51,12 +56,97 @@ class PointFinder {
 
  private:
   static constexpr double kMargin = 0.02;
+  // Shares of the range of the parameter.
+  static constexpr double kNearBreak = 1e-6;
+  // More are not told, and would take long to solve.
+  static constexpr std::size_t kMostEvents = 400;
 
   /// Too large to be solved; what tracing found is told.
   static bool is_large(const Statement& s) {
     std::size_t n = 0;
     for (const Expression& e : s.terms) n += node_count(e);
     return n > kMostNodesOfAlgebra;
+  }
+
+  /// y = f(x) and x = g(y): where the parts of the expression break.
+  void solve_for_breaks(int i) {
+    breaks_.emplace_back();
+    steps_.emplace_back();
+    const Statement& s = list_.statement(i);
+    const CurveKind& kind = curve_kind(s.kind);
+    if (is_large(s) || (!kind.is_graph_of_x() && !kind.is_graph_of_y())) return;
+    breaks_.back().emplace(s.terms[0], kind.parameter);
+    const Window& w = tracing_.window;
+    steps_.back() = kind.is_graph_of_x() ? breaks_.back()->steps(w.x0, w.x1) : breaks_.back()->steps(w.y0, w.y1);
+  }
+
+  [[nodiscard]] double span_of(const CurveKind& kind) const {
+    const Window& w = tracing_.window;
+    return kind.is_graph_of_x() ? w.x1 - w.x0 : w.y1 - w.y0;
+  }
+
+  /// Tracing encloses a break to some twelve digits; its place is solved for.
+  [[nodiscard]] std::vector<Event> exact_events() const {
+    std::vector<Event> events = tracing_.events;
+    if (events.size() > kMostEvents) return events;
+    for (Event& e : events) {
+      const auto& breaks = breaks_[static_cast<std::size_t>(e.statement)];
+      if (!breaks) continue;
+      const CurveKind& kind = curve_kind(list_.statement(e.statement).kind);
+      const auto place = breaks->near(e.parameter, kNearBreak * span_of(kind));
+      if (!place) continue;
+      e.parameter = place->at;
+      (kind.is_graph_of_x() ? e.x : e.y) = place->at;
+    }
+    return events;
+  }
+
+  /// The exact value of y = f(x) at a break, NaN where there is none.
+  [[nodiscard]] double value_at(int statement, double at) const {
+    const auto& breaks = breaks_[static_cast<std::size_t>(statement)];
+    const Statement& s = list_.statement(statement);
+    if (const auto place = breaks ? breaks->near(at, kNearBreak * span_of(curve_kind(s.kind))) : std::nullopt)
+      return place->value;
+    return OneVariable(s.terms[0], curve_kind(s.kind).parameter).value(at);
+  }
+
+  /// A step that tracing has left undecided, beside one that is only touched.
+  void add_missed_jump(int i, const BreakPlace& p, double before, double after) {
+    const double span = tracing_.window.x1 - tracing_.window.x0;
+    if (list_.has_break(i, p.at, kNearBreak * span)) return;
+    const Expression& f = list_.statement(i).terms[0];
+    Event e;
+    e.kind = EventKind::jump;
+    e.statement = i;
+    e.parameter = e.x = e.x_after = p.at;
+    e.y = limit_at(f, Variable::x, p.at, -1).value_or(before);
+    e.y_after = limit_at(f, Variable::x, p.at, 1).value_or(after);
+    add(e);
+  }
+
+  /// Where the value at the edge of a step is on neither side, it is a point of its own: ceil(x) - floor(x) is 0
+  /// at whole numbers and 1 between them.
+  void add_values_at_steps(int i) {
+    const Statement& s = list_.statement(i);
+    if (!curve_kind(s.kind).is_graph_of_x()) return;
+    const Window& w = tracing_.window;
+    const double span = w.x1 - w.x0;
+    const OneVariable f(s.terms[0], Variable::x);
+    for (const BreakPlace& p : steps_[static_cast<std::size_t>(i)]) {
+      if (!p.is_step || !std::isfinite(p.value)) continue;
+      const auto is_value = [&](double y) { return std::abs(y - p.value) < 1e-9 * std::max(1.0, std::abs(y)); };
+      const double before = f.value(p.at - kNearBreak * span);
+      const double after = f.value(p.at + kNearBreak * span);
+      const double slack = 1e-5 * (w.y1 - w.y0);
+      if (std::abs(before - after) > slack) add_missed_jump(i, p, before, after);
+      const auto joins = [&](double y) { return std::abs(y - p.value) < slack; };
+      if (joins(before) || joins(after)) continue;
+      if (std::abs(p.value) < 1e-12) list_.add(i, PointKind::zero, p.at, 0, p.at);
+      if (p.at == 0) list_.add(i, PointKind::y_intercept, 0, p.value, 0);
+      if (!(std::abs(before - after) < slack) || is_value(before)) continue;
+      list_.add(i, PointKind::hole, p.at, limit((before + after) / 2), p.at);
+      list_.add(i, PointKind::isolated, p.at, p.value, p.at);
+    }
   }
 
   void add(const Event& e) {
@@ -122,10 +212,7 @@ class PointFinder {
     const double before = limit(e.y);
     const double after = limit(e.y_after);
     double at = PointList::kNaN;
-    if (kind.is_graph_of_x()) {
-      const auto arcs = arcs_of(list_.statement(e.statement), tracing_.window, kMargin);
-      at = OneVariable(arcs[0].y, arcs[0].parameter).value(e.parameter);
-    }
+    if (kind.is_graph_of_x()) at = value_at(e.statement, e.parameter);
     const double y = std::isnan(at) ? before : at;
     PointOfInterest* p = list_.add(e.statement, PointKind::jump, e.x, y, e.parameter);
     if (p == nullptr) p = list_.add(e.statement, PointKind::jump, e.x, before, e.parameter);
@@ -204,6 +291,8 @@ class PointFinder {
   const Tracing& tracing_;
   PointList list_;
   std::vector<bool> complete_;
+  std::vector<std::optional<BreakPlaces>> breaks_;  // by statement
+  std::vector<std::vector<BreakPlace>> steps_;
 };
 
 }  // namespace
