@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "algebra.h"
 #include "one_variable.h"
@@ -16,7 +17,10 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // A value this near to an edge is on it: the place was solved for, and rounding is far smaller.
 constexpr double kOnEdge = 1e-12;
 constexpr double kWide = 1e4;
+// Places nearer than this share of the range are one.
+constexpr double kSame = 1e-9;
 constexpr int kMostLevels = 60;
+constexpr std::size_t kMostGaps = 100;
 
 Expression difference(const Expression& a, const Expression& b) { return binary(NodeKind::subtract, a, b); }
 
@@ -123,11 +127,15 @@ bool BreakPlaces::holds(const Condition& c, double t, double& level) const {
   const bool whole = c.part && (has_whole_steps(c.part->function) || c.part->function == Function::round ||
                                 c.part->function == Function::mod);
   level = whole ? std::round(u) : 0;
-  // Rounding of the place itself, times the slope, is not more than this.
+  // Rounding of the place itself, times the slope, is not more than this. What changes more is a jump.
+  constexpr double kMostMoved = 1e-9;
   const double hair = 4e-16 * std::max(1.0, std::abs(t));
-  const double moved = std::max(std::abs(value_of(c.argument, v_, t + hair) - u),
-                                std::abs(value_of(c.argument, v_, t - hair) - u));
-  return std::abs(u - level) <= kOnEdge * std::max(1.0, std::abs(level)) + 2 * (std::isfinite(moved) ? moved : 0);
+  double slack = kOnEdge * std::max(1.0, std::abs(level));
+  for (const double s : {t - hair, t + hair}) {
+    const double moved = std::abs(value_of(c.argument, v_, s) - u);
+    if (moved < kMostMoved) slack += 2 * moved;
+  }
+  return std::abs(u - level) <= slack;
 }
 
 BreakPlace BreakPlaces::place(double at) const {
@@ -153,7 +161,8 @@ std::optional<BreakPlace> BreakPlaces::near(double t, double reach) const {
     Expression argument = c.argument;
     if (c.cause == Cause::step) {
       const double u = value_of(argument, v_, t);
-      const double level = c.part->function == Function::sign || is_condition(c.part->function) ? 0 : std::round(u);
+      const double level =
+          c.part->function == Function::sign || is_condition(c.part->function) ? 0 : std::round(u);
       if (!std::isfinite(level)) continue;
       if (level != 0) argument = difference(argument, number(level));
     }
@@ -185,12 +194,27 @@ std::vector<BreakPlace> BreakPlaces::steps(double low, double high) const {
       for (const double t : zeros_of(argument, v_, low, high)) all.push_back(t);
     }
   }
-  std::sort(all.begin(), all.end());
-  std::vector<BreakPlace> places;
-  for (const double t : all) {
-    if (places.empty() || t - places.back().at > 1e-9 * (high - low)) places.push_back(place(t));
+  return places(std::move(all), kSame * (high - low));
+}
+
+std::vector<BreakPlace> BreakPlaces::gaps(double low, double high) const {
+  std::vector<double> all;
+  for (const Condition& c : conditions_) {
+    if (c.cause != Cause::undefined) continue;
+    const std::vector<double> zeros = zeros_of(c.argument, v_, low, high);
+    if (all.size() + zeros.size() > kMostGaps) return {};
+    all.insert(all.end(), zeros.begin(), zeros.end());
   }
-  return places;
+  return places(std::move(all), kSame * (high - low));
+}
+
+std::vector<BreakPlace> BreakPlaces::places(std::vector<double> all, double apart) const {
+  std::sort(all.begin(), all.end());
+  std::vector<BreakPlace> found;
+  for (const double t : all) {
+    if (found.empty() || t - found.back().at > apart) found.push_back(place(t));
+  }
+  return found;
 }
 
 }  // namespace nazori::functions

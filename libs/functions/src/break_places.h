@@ -13,8 +13,8 @@ struct BreakPlace {
   double at = 0;
   bool undefined = false;  ///< a denominator is zero there, or the argument of a logarithm
   bool is_step = false;    ///< a step (floor, sign, a condition) has its edge there
-  /// The value at the place itself: that of floor(x^2) at sqrt(3) is 3, although no double is sqrt(3). NaN where
-  /// there is none.
+  /// The value at the place itself: that of floor(x^2) at sqrt(3) is 3, although no double is sqrt(3). NaN
+  /// where there is none.
   double value = 0;
 };
 
@@ -25,9 +25,11 @@ class BreakPlaces {
 
   /// The place of `f` nearest to `t`, at most `reach` away.
   [[nodiscard]] std::optional<BreakPlace> near(double t, double reach) const;
-  /// All edges of steps between two places, also where the step is only touched: floor(sin(x)) at pi/2. Nothing
-  /// where there are too many to be told.
+  /// All edges of steps between two places, also where the step is only touched: floor(sin(x)) at pi/2.
+  /// Nothing where there are too many to be told.
   [[nodiscard]] std::vector<BreakPlace> steps(double low, double high) const;
+  /// All zeros of denominators and of arguments of logarithms between two places.
+  [[nodiscard]] std::vector<BreakPlace> gaps(double low, double high) const;
 
  private:
   enum class Cause { undefined, edge, step };
@@ -42,6 +44,7 @@ class BreakPlaces {
   void add(Cause cause, const Expression& argument, const Expression& part = nullptr);
   [[nodiscard]] bool holds(const Condition& c, double t, double& level) const;
   [[nodiscard]] BreakPlace place(double at) const;
+  [[nodiscard]] std::vector<BreakPlace> places(std::vector<double> all, double apart) const;
 
   Expression f_;
   Variable v_;

@@ -126,8 +126,8 @@ class EquationPoints {
       const double next = values[static_cast<std::size_t>(i % kSteps + 1)];
       if (std::isfinite(last) && std::isfinite(here) && (last < 0) != (here < 0))
         all.push_back((angle(i - 1) + angle(i)) / 2);
-      const bool turns = (last < 0) == (here < 0) && (here < 0) == (next < 0) && std::abs(here) <= std::abs(last) &&
-                         std::abs(here) <= std::abs(next);
+      const bool turns = (last < 0) == (here < 0) && (here < 0) == (next < 0) &&
+                         std::abs(here) <= std::abs(last) && std::abs(here) <= std::abs(next);
       if (turns) add_close_arms(at, angle(i - 1), angle(i + 1), all);
     }
     std::sort(all.begin(), all.end());
@@ -181,6 +181,27 @@ class EquationPoints {
     }
   }
 
+  /// A level place of higher order, the top of x^4 + y^4 = 1: beside it the curve is -F/Fy above its height.
+  bool flat_extremum(double x, double y) {
+    if (!bend_) return false;
+    const double width = list_.window().x1 - list_.window().x0;
+    const double height = list_.window().y1 - list_.window().y0;
+    std::vector<double> registers(bend_->size());
+    bend_->evaluate<double>(std::array{x, y}, registers);
+    const double fy = registers[bend_->output(1)];
+    if (!std::isfinite(fy) || fy == 0) return false;
+    for (const double h : {1e-3, 4e-3, 1.6e-2}) {
+      const double before = -value(x - h * width, y) / fy;
+      const double after = -value(x + h * width, y) / fy;
+      const bool certain = std::min(std::abs(before), std::abs(after)) > 1e-12 * height;
+      if (!certain || !std::isfinite(before + after)) continue;
+      if (before * after > 0)
+        list_.add(statement_, before > 0 ? PointKind::minimum : PointKind::maximum, x, y);
+      return true;
+    }
+    return false;
+  }
+
   /// A level place of the curve: it is the highest or the lowest around if both arms run to one side.
   void extremum(double x, double y) {
     for (const PointKind k : {PointKind::cusp, PointKind::self_crossing, PointKind::isolated}) {
@@ -197,6 +218,7 @@ class EquationPoints {
         return;
       }
     }
+    if (flat_extremum(x, y)) return;
     const std::vector<double> all = arms(x, y, 1e-4);
     if (all.size() != 2) return;
     const double first = std::sin(all[0]);

@@ -61,8 +61,8 @@ class SystemSolver {
 
   /// Small boxes that are left over surround a degenerate zero.
   void leave_unfinished(const Box& box) {
-    const bool small =
-        box.high[0] - box.low[0] <= kUnfinished * range_[0] && box.high[1] - box.low[1] <= kUnfinished * range_[1];
+    const bool small = box.high[0] - box.low[0] <= kUnfinished * range_[0] &&
+                       box.high[1] - box.low[1] <= kUnfinished * range_[1];
     if (small) {
       fine_.push_back(box);
     } else {
@@ -252,8 +252,9 @@ class SystemSolver {
   /// One point of a group of boxes: the roundest one at which all functions vanish.
   void judge(const Box& box) {
     for (std::size_t k = 0; k < 2; ++k) {
-      // A chain of boxes along a curve that both functions have in common is no point.
-      if (box.high[k] - box.low[k] > 2e-4 * range_[k]) return;
+      // A chain of boxes along a curve that both functions have in common is no point. Around a point where
+      // the gradient vanishes to a high order it is longer.
+      if (box.high[k] - box.low[k] > (count_ > 2 ? 2e-2 : 2e-4) * range_[k]) return;
     }
     std::array<std::vector<double>, 2> candidates;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -279,8 +280,10 @@ class SystemSolver {
       const auto step = newton_step(p);
       if (!step) break;
       const Point next{p[0] - (*step)[0], p[1] - (*step)[1]};
-      if (std::abs(next[0] - start[0]) > 1e-4 * range_[0] || std::abs(next[1] - start[1]) > 1e-4 * range_[1])
-        break;
+      const auto strays = [&](std::size_t k) {
+        return std::abs(next[k] - start[k]) > std::max(1e-4 * range_[k], box.high[k] - box.low[k]);
+      };
+      if (strays(0) || strays(1)) break;
       p = next;
     }
     for (std::size_t k = 0; k < 2; ++k) {

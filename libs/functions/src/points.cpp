@@ -42,7 +42,10 @@ class PointFinder {
       }
     }
     for (const Event& e : list_.events()) add(e);
-    for (int i = 0; i < count; ++i) add_values_at_steps(i);
+    for (int i = 0; i < count; ++i) {
+      add_values_at_steps(i);
+      add_slow_ends(i);
+    }
     for (int i = 0; i < count; ++i) {
       if (!is_large(list_.statement(i))) add_asymptotes(i, list_);
     }
@@ -77,7 +80,8 @@ class PointFinder {
     if (is_large(s) || (!kind.is_graph_of_x() && !kind.is_graph_of_y())) return;
     breaks_.back().emplace(s.terms[0], kind.parameter);
     const Window& w = tracing_.window;
-    steps_.back() = kind.is_graph_of_x() ? breaks_.back()->steps(w.x0, w.x1) : breaks_.back()->steps(w.y0, w.y1);
+    steps_.back() =
+        kind.is_graph_of_x() ? breaks_.back()->steps(w.x0, w.x1) : breaks_.back()->steps(w.y0, w.y1);
   }
 
   [[nodiscard]] double span_of(const CurveKind& kind) const {
@@ -124,8 +128,26 @@ class PointFinder {
     add(e);
   }
 
-  /// Where the value at the edge of a step is on neither side, it is a point of its own: ceil(x) - floor(x) is 0
-  /// at whole numbers and 1 between them.
+  /// 1/ln(x) comes to its end at 0 so slowly that tracing sees no end.
+  void add_slow_ends(int i) {
+    const Statement& s = list_.statement(i);
+    const auto& breaks = breaks_[static_cast<std::size_t>(i)];
+    if (!breaks || !curve_kind(s.kind).is_graph_of_x()) return;
+    const Window& w = tracing_.window;
+    const double span = w.x1 - w.x0;
+    const OneVariable f(s.terms[0], Variable::x);
+    for (const BreakPlace& p : breaks->gaps(w.x0, w.x1)) {
+      const double reach = kNearBreak * span;
+      if (list_.has_break(i, p.at, reach) || list_.has_event(i, EventKind::end, p.at, reach)) continue;
+      const bool before = std::isfinite(f.value(p.at - reach));
+      if (before == std::isfinite(f.value(p.at + reach))) continue;
+      if (const auto y = limit_at(s.terms[0], Variable::x, p.at, before ? -1 : 1))
+        list_.add(i, PointKind::end, p.at, *y, p.at);
+    }
+  }
+
+  /// Where the value at the edge of a step is on neither side, it is a point of its own: ceil(x) - floor(x)
+  /// is 0 at whole numbers and 1 between them.
   void add_values_at_steps(int i) {
     const Statement& s = list_.statement(i);
     if (!curve_kind(s.kind).is_graph_of_x()) return;
@@ -134,7 +156,9 @@ class PointFinder {
     const OneVariable f(s.terms[0], Variable::x);
     for (const BreakPlace& p : steps_[static_cast<std::size_t>(i)]) {
       if (!p.is_step || !std::isfinite(p.value)) continue;
-      const auto is_value = [&](double y) { return std::abs(y - p.value) < 1e-9 * std::max(1.0, std::abs(y)); };
+      const auto is_value = [&](double y) {
+        return std::abs(y - p.value) < 1e-9 * std::max(1.0, std::abs(y));
+      };
       const double before = f.value(p.at - kNearBreak * span);
       const double after = f.value(p.at + kNearBreak * span);
       const double slack = 1e-5 * (w.y1 - w.y0);
@@ -209,10 +233,19 @@ class PointFinder {
 
   /// Both sides of a jump, and the value that is taken there.
   void add_jump(const Event& e, const CurveKind& kind) {
-    const double before = limit(e.y);
-    const double after = limit(e.y_after);
+    double before = limit(e.y);
+    double after = limit(e.y_after);
     double at = PointList::kNaN;
-    if (kind.is_graph_of_x()) at = value_at(e.statement, e.parameter);
+    if (kind.is_graph_of_x()) {
+      at = value_at(e.statement, e.parameter);
+      before = limit_beside(e, -1, before);
+      after = limit_beside(e, 1, after);
+      if (std::abs(before - after) < 1e-12 * (tracing_.window.y1 - tracing_.window.y0)) {
+        // sign(x) sqrt(|x|) has a step that is zero high.
+        if (std::isnan(at)) list_.add(e.statement, PointKind::hole, e.x, before, e.parameter);
+        return;
+      }
+    }
     const double y = std::isnan(at) ? before : at;
     PointOfInterest* p = list_.add(e.statement, PointKind::jump, e.x, y, e.parameter);
     if (p == nullptr) p = list_.add(e.statement, PointKind::jump, e.x, before, e.parameter);
@@ -225,6 +258,13 @@ class PointFinder {
     jump.y_after = after;
     jump.y_at = at;
     p->jump = jump;
+  }
+
+  /// The limit on one side of a break, where it can be known better than from the sample beside it.
+  [[nodiscard]] double limit_beside(const Event& e, int side, double measured) const {
+    const auto exact = limit_at(list_.statement(e.statement).terms[0], Variable::x, e.parameter, side);
+    const double height = tracing_.window.y1 - tracing_.window.y0;
+    return exact && std::abs(*exact - measured) < 1e-3 * height ? limit(*exact) : measured;
   }
 
   static double limit(double y) {

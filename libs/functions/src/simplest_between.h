@@ -22,6 +22,8 @@ struct RoundNumber {
   return {low + (high - low) / 2, kMostDecimals + 1};
 }
 
-[[nodiscard]] inline double simplest_between(double low, double high) { return roundest_between(low, high).value; }
+[[nodiscard]] inline double simplest_between(double low, double high) {
+  return roundest_between(low, high).value;
+}
 
 }  // namespace nazori::functions
