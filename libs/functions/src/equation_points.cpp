@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -21,6 +22,12 @@ namespace {
 
 constexpr int kMostBoxes = 20'000;
 constexpr std::ptrdiff_t kMostLines = 1000;
+
+// Sines of the least angles at which an arm of a cusp, and of a corner, leads up or down.
+constexpr double kSteep = 0.7;
+constexpr double kSlanted = 0.01;
+
+std::vector<Expression> edges_of(const Expression& e);
 
 class EquationPoints {
  public:
@@ -47,17 +54,22 @@ class EquationPoints {
     const std::array low{w.x0, w.y0};
     const std::array high{w.x1, w.y1};
     const std::array variables{Variable::x, Variable::y};
+    for (const Expression& u : edges_of(f_)) {
+      for (const SystemRoot& r : solve_system(std::array{f_, u}, variables, low, high, kMostBoxes).roots) {
+        if (is_defined(r.a, r.b)) corner(r.a, r.b);
+      }
+    }
     const std::array<Expression, 3> singular{fx, fy, f_};
     const SystemRoots stops = solve_system(singular, variables, low, high, kMostBoxes);
     for (const SystemRoot& r : stops.roots) {
-      if (is_defined(r.a, r.b)) classify(r.a, r.b);
+      if (is_defined(r.a, r.b) && !is_corner(r.a, r.b)) classify(r.a, r.b);
     }
     if (depends_on(f_, Variable::x) && depends_on(f_, Variable::y)) {
       const std::array<Expression, 2> level{f_, fx};
       const Expression bend = derivative(fx, Variable::x);
       if (bend) bend_ = Tape::compile(std::array{bend, fy}, std::array{Variable::x, Variable::y});
       for (const SystemRoot& r : solve_system(level, variables, low, high, kMostBoxes).roots) {
-        if (is_defined(r.a, r.b)) extremum(r.a, r.b);
+        if (is_defined(r.a, r.b) && !is_corner(r.a, r.b)) extremum(r.a, r.b);
       }
     }
     return stops.complete;
@@ -157,6 +169,57 @@ class EquationPoints {
     }
   }
 
+  static double apart(const std::vector<double>& two) {
+    const double angle = two[1] - two[0];
+    return std::min(angle, 2 * std::numbers::pi - angle);
+  }
+
+  /// Towards the tip of a cusp both arms come closer; in a corner they keep their angle.
+  static bool narrows(const std::vector<double>& wide, const std::vector<double>& near) {
+    constexpr double kCloser = 0.75;
+    return wide.size() == 2 && near.size() == 2 && apart(near) < 0.5 * std::numbers::pi &&
+           apart(near) < kCloser * apart(wide);
+  }
+
+  /// A cusp that points up or down is the highest or the lowest place around, too.
+  void add_cusp(double x, double y, const std::vector<double>& arms) {
+    list_.add(statement_, PointKind::cusp, x, y);
+    add_if_both_on_one_side(x, y, arms, kSteep);
+  }
+
+  void add_if_both_on_one_side(double x, double y, const std::vector<double>& arms, double least) {
+    const double a = std::sin(arms[0]);
+    const double b = std::sin(arms[1]);
+    if (a > least && b > least) list_.add(statement_, PointKind::minimum, x, y);
+    if (a < -least && b < -least) list_.add(statement_, PointKind::maximum, x, y);
+  }
+
+  /// Where the equation has no gradient, as |x| + |y| = 1 on the axes: the arms tell what is there.
+  void corner(double x, double y) {
+    if (is_corner(x, y)) return;
+    corners_.push_back({x, y});
+    const std::vector<double> wide = arms(x, y, 1e-3);
+    const std::vector<double> near = arms(x, y, 1e-4);
+    if (std::min(wide.size(), near.size()) >= 4) {
+      list_.add(statement_, PointKind::self_crossing, x, y);
+      return;
+    }
+    if (wide.empty() && near.empty()) list_.add(statement_, PointKind::isolated, x, y);
+    if (near.size() != 2 || wide.size() != 2) return;
+    if (narrows(wide, near)) {
+      add_cusp(x, y, near);
+    } else {
+      add_if_both_on_one_side(x, y, near, kSlanted);
+    }
+  }
+
+  [[nodiscard]] bool is_corner(double x, double y) const {
+    const Window& w = list_.window();
+    return std::any_of(corners_.begin(), corners_.end(), [&](const std::array<double, 2>& c) {
+      return std::hypot((c[0] - x) / (w.x1 - w.x0), (c[1] - y) / (w.y1 - w.y0)) < 1e-6;
+    });
+  }
+
   void classify(double x, double y) {
     const std::vector<double> wide = arms(x, y, 1e-3);
     const std::vector<double> near = arms(x, y, 1e-4);
@@ -170,9 +233,7 @@ class EquationPoints {
       return;
     }
     if (near.size() == 2) {
-      double apart = near[1] - near[0];
-      apart = std::min(apart, 2 * std::numbers::pi - apart);
-      if (apart < 0.5 * std::numbers::pi) list_.add(statement_, PointKind::cusp, x, y);
+      if (narrows(wide, near)) add_cusp(x, y, near);
       return;
     }
     if (near.empty()) {
@@ -243,7 +304,38 @@ class EquationPoints {
   Tape tape_;
   std::vector<double> values_;
   std::optional<Tape> bend_;
+  std::vector<std::array<double, 2>> corners_;
 };
+
+/// Where the parts of an expression have no derivative: the arguments of |u| and of roots, the differences of
+/// what min and max compare.
+void collect_edges(const Expression& e, std::map<std::string, Expression>& found) {
+  for (const Expression& a : e->arguments) collect_edges(a, found);
+  Expression edge;
+  const auto& a = e->arguments;
+  if (e->kind == NodeKind::power) {
+    const auto n = rational_value(a[1]);
+    if (n && n->q > 1) edge = a[0];
+  }
+  if (e->kind == NodeKind::function) {
+    const Function f = e->function;
+    if (f == Function::abs || f == Function::sqrt || f == Function::cbrt) edge = a[0];
+    if (f == Function::root) edge = a[1];
+    if ((f == Function::min || f == Function::max) && a.size() == 2)
+      edge = binary(NodeKind::subtract, a[0], a[1]);
+  }
+  if (edge && !variables_of(edge).empty()) found.emplace(to_text(edge), edge);
+}
+
+std::vector<Expression> edges_of(const Expression& e) {
+  constexpr std::size_t kMostEdges = 8;
+  std::map<std::string, Expression> found;
+  collect_edges(e, found);
+  std::vector<Expression> all;
+  if (found.size() > kMostEdges) return all;
+  for (const auto& [text, edge] : found) all.push_back(edge);
+  return all;
+}
 
 }  // namespace
 

@@ -75,7 +75,7 @@ PointOfInterest* PointList::add(int statement, PointKind kind, double x, double 
   return &found_.back();
 }
 
-void PointList::add_slanted(int statement, double slope, double intercept, int side) {
+PointOfInterest& PointList::add_slanted(int statement, double slope, double intercept, int side) {
   PointOfInterest p;
   p.kind = PointKind::slanted_asymptote;
   p.statement = statement;
@@ -84,6 +84,7 @@ void PointList::add_slanted(int statement, double slope, double intercept, int s
   p.intercept = intercept;
   p.side = side;
   found_.push_back(std::move(p));
+  return found_.back();
 }
 
 std::vector<PointOfInterest> PointList::take() {

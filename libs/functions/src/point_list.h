@@ -38,7 +38,7 @@ class PointList {
   PointOfInterest* add(int statement, PointKind kind, double x, double y, double parameter = 0,
                        int other = -1);
   /// A slanted asymptote, which has no place of its own.
-  void add_slanted(int statement, double slope, double intercept, int side);
+  PointOfInterest& add_slanted(int statement, double slope, double intercept, int side);
   /// Whether a point of this kind is at most `share` of the window away.
   [[nodiscard]] bool has_near(int statement, PointKind kind, double x, double y, double share) const;
   /// Whether tracing found a break (pole, hole, jump) of the statement at this parameter.

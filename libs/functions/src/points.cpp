@@ -229,6 +229,7 @@ class PointFinder {
     const bool before = grows(-1);
     const bool after = grows(1);
     if (before != after) p->side = before ? -1 : 1;
+    p->along_y = !of_x;
   }
 
   /// Both sides of a jump, and the value that is taken there.
@@ -304,7 +305,7 @@ class PointFinder {
   [[nodiscard]] double exact_limit(const Event& e, double measured) const {
     const Statement& s = list_.statement(e.statement);
     if (!curve_kind(s.kind).is_graph_of_x()) return measured;
-    if (std::isfinite(OneVariable(s.terms[0], Variable::x).value(e.parameter))) return measured;
+    if (std::isfinite(value_at(e.statement, e.parameter))) return measured;
     const double height = tracing_.window.y1 - tracing_.window.y0;
     for (const int side : {-1, 1}) {
       const auto exact = limit_at(s.terms[0], Variable::x, e.parameter, side);
