@@ -54,11 +54,7 @@ class EquationPoints {
     const std::array low{w.x0, w.y0};
     const std::array high{w.x1, w.y1};
     const std::array variables{Variable::x, Variable::y};
-    for (const Expression& u : edges_of(f_)) {
-      for (const SystemRoot& r : solve_system(std::array{f_, u}, variables, low, high, kMostBoxes).roots) {
-        if (is_defined(r.a, r.b)) corner(r.a, r.b);
-      }
-    }
+    for (const Expression& u : edges_of(f_)) corners_along(u);
     const std::array<Expression, 3> singular{fx, fy, f_};
     const SystemRoots stops = solve_system(singular, variables, low, high, kMostBoxes);
     for (const SystemRoot& r : stops.roots) {
@@ -194,6 +190,32 @@ class EquationPoints {
     if (a < -least && b < -least) list_.add(statement_, PointKind::maximum, x, y);
   }
 
+  /// The places of the curve at which `edge` is zero.
+  void corners_along(const Expression& edge) {
+    const Window& w = list_.window();
+    const std::array low{w.x0, w.y0};
+    const std::array high{w.x1, w.y1};
+    const std::array variables{Variable::x, Variable::y};
+    const auto take = [this](double x, double y) {
+      if (is_defined(x, y)) corner(x, y);
+    };
+    const bool has_x = depends_on(edge, Variable::x);
+    if (has_x && depends_on(edge, Variable::y)) {
+      for (const SystemRoot& r : solve_system(std::array{f_, edge}, variables, low, high, kMostBoxes).roots)
+        take(r.a, r.b);
+      return;
+    }
+    const std::size_t fixed = has_x ? 0 : 1;
+    const std::size_t free = 1 - fixed;
+    for (const double c : zeros_of(edge, variables[fixed], low[fixed], high[fixed])) {
+      const Expression on_line = reduced(substitute(f_, variables[fixed], number(c)));
+      const auto p = Polynomial::of(over_common_denominator(on_line).numerator);
+      if (p && p->is_zero()) continue;
+      for (const double at : zeros_of(on_line, variables[free], low[free], high[free]))
+        take(has_x ? c : at, has_x ? at : c);
+    }
+  }
+
   /// Where the equation has no gradient, as |x| + |y| = 1 on the axes: the arms tell what is there.
   void corner(double x, double y) {
     if (is_corner(x, y)) return;
@@ -204,13 +226,24 @@ class EquationPoints {
       list_.add(statement_, PointKind::self_crossing, x, y);
       return;
     }
-    if (wide.empty() && near.empty()) list_.add(statement_, PointKind::isolated, x, y);
+    if (wide.empty() && near.empty() && is_defined_around(x, y)) list_.add(statement_, PointKind::isolated, x, y);
     if (near.size() != 2 || wide.size() != 2) return;
     if (narrows(wide, near)) {
       add_cusp(x, y, near);
     } else {
       add_if_both_on_one_side(x, y, near, kSlanted);
     }
+  }
+
+  [[nodiscard]] bool is_defined_around(double x, double y) {
+    constexpr int kSteps = 16;
+    const Window& w = list_.window();
+    for (int i = 0; i < kSteps; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kSteps;
+      if (!exists(x + 1e-4 * (w.x1 - w.x0) * std::cos(angle), y + 1e-4 * (w.y1 - w.y0) * std::sin(angle)))
+        return false;
+    }
+    return true;
   }
 
   [[nodiscard]] bool is_corner(double x, double y) const {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "algebra.h"
 #include "arc_points.h"
@@ -24,7 +26,7 @@ namespace {
 class PointFinder {
  public:
   PointFinder(const Plot& plot, const Tracing& tracing, std::size_t most)
-      : plot_(plot), tracing_(tracing), list_(plot, tracing, most) {}
+      : plot_(plot), tracing_(tracing), list_(plot, tracing, most), branch_ends_(ends_of(tracing)) {}
 
   std::vector<PointOfInterest> run() {
     const auto count = static_cast<int>(plot_.statements.size());
@@ -314,15 +316,33 @@ class PointFinder {
     return measured;
   }
 
+  struct BranchEnd {
+    int statement;
+    double u, v;
+    bool operator<(const BranchEnd& other) const {
+      return std::tie(statement, u) < std::tie(other.statement, other.u);
+    }
+  };
+
+  [[nodiscard]] static std::vector<BranchEnd> ends_of(const Tracing& tracing) {
+    std::vector<BranchEnd> ends;
+    ends.reserve(2 * tracing.branches.size());
+    for (const Branch& b : tracing.branches) {
+      for (const CurvePoint* p : {&b.points.front(), &b.points.back()}) ends.push_back({b.statement, p->u, p->v});
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  }
+
   /// Pieces of curves that end at the event.
   [[nodiscard]] int branches_at(const Event& e) const {
-    const Window& w = tracing_.window;
+    constexpr double kHere = 1e-5;
+    const double u = tracing_.window.u(e.x);
+    const double v = tracing_.window.v(e.y);
     int n = 0;
-    for (const Branch& b : tracing_.branches) {
-      if (b.statement != e.statement) continue;
-      for (const CurvePoint* p : {&b.points.front(), &b.points.back()})
-        n += std::hypot(p->u - w.u(e.x), p->v - w.v(e.y)) < 1e-5 ? 1 : 0;
-    }
+    for (auto end = std::lower_bound(branch_ends_.begin(), branch_ends_.end(), BranchEnd{e.statement, u - kHere, 0});
+         end != branch_ends_.end() && end->statement == e.statement && end->u <= u + kHere; ++end)
+      n += std::hypot(end->u - u, end->v - v) < kHere ? 1 : 0;
     return n;
   }
 
@@ -331,6 +351,7 @@ class PointFinder {
   const Plot& plot_;
   const Tracing& tracing_;
   PointList list_;
+  std::vector<BranchEnd> branch_ends_;
   std::vector<bool> complete_;
   std::vector<std::optional<BreakPlaces>> breaks_;  // by statement
   std::vector<std::vector<BreakPlace>> steps_;
