@@ -226,7 +226,8 @@ class EquationPoints {
       list_.add(statement_, PointKind::self_crossing, x, y);
       return;
     }
-    if (wide.empty() && near.empty() && is_defined_around(x, y)) list_.add(statement_, PointKind::isolated, x, y);
+    if (wide.empty() && near.empty() && is_defined_around(x, y))
+      list_.add(statement_, PointKind::isolated, x, y);
     if (near.size() != 2 || wide.size() != 2) return;
     if (narrows(wide, near)) {
       add_cusp(x, y, near);

@@ -86,19 +86,18 @@ std::string side_in_words(const PointOfInterest& p, Language language) {
   if (p.side == 0) return {};
   const bool english = language == Language::english;
   // Beside an upright asymptote of y = f(x), or a level one of x = g(y), else far out.
-  const bool is_beside = p.kind == (p.along_y ? PointKind::horizontal_asymptote : PointKind::vertical_asymptote);
+  const bool is_beside =
+      p.kind == (p.along_y ? PointKind::horizontal_asymptote : PointKind::vertical_asymptote);
   struct SideWords {
     const char* english;
     const char* japanese;
   };
   // By along_y, is_beside and the sign of the side.
-  constexpr SideWords kWords[2][2][2] = {{{{", far to the left only", "（左の遠くだけ）"},
-                                           {", far to the right only", "（右の遠くだけ）"}},
-                                          {{", on its left side only", "（左側だけ）"},
-                                           {", on its right side only", "（右側だけ）"}}},
-                                         {{{", far below only", "（下の遠くだけ）"},
-                                           {", far above only", "（上の遠くだけ）"}},
-                                          {{", below it only", "（下側だけ）"}, {", above it only", "（上側だけ）"}}}};
+  constexpr SideWords kWords[2][2][2] = {
+      {{{", far to the left only", "（左の遠くだけ）"}, {", far to the right only", "（右の遠くだけ）"}},
+       {{", on its left side only", "（左側だけ）"}, {", on its right side only", "（右側だけ）"}}},
+      {{{", far below only", "（下の遠くだけ）"}, {", far above only", "（上の遠くだけ）"}},
+       {{", below it only", "（下側だけ）"}, {", above it only", "（上側だけ）"}}}};
   const SideWords& words = kWords[p.along_y ? 1 : 0][is_beside ? 1 : 0][p.side > 0 ? 1 : 0];
   return english ? words.english : words.japanese;
 }

@@ -328,7 +328,8 @@ class PointFinder {
     std::vector<BranchEnd> ends;
     ends.reserve(2 * tracing.branches.size());
     for (const Branch& b : tracing.branches) {
-      for (const CurvePoint* p : {&b.points.front(), &b.points.back()}) ends.push_back({b.statement, p->u, p->v});
+      for (const CurvePoint* p : {&b.points.front(), &b.points.back()})
+        ends.push_back({b.statement, p->u, p->v});
     }
     std::sort(ends.begin(), ends.end());
     return ends;
@@ -340,7 +341,8 @@ class PointFinder {
     const double u = tracing_.window.u(e.x);
     const double v = tracing_.window.v(e.y);
     int n = 0;
-    for (auto end = std::lower_bound(branch_ends_.begin(), branch_ends_.end(), BranchEnd{e.statement, u - kHere, 0});
+    for (auto end =
+             std::lower_bound(branch_ends_.begin(), branch_ends_.end(), BranchEnd{e.statement, u - kHere, 0});
          end != branch_ends_.end() && end->statement == e.statement && end->u <= u + kHere; ++end)
       n += std::hypot(end->u - u, end->v - v) < kHere ? 1 : 0;
     return n;
