@@ -153,10 +153,12 @@ class ArcPoints {
     return some;
   }
 
+  /// Whether the function stays what it is on one side; a sine of a step can be off zero by rounding.
   [[nodiscard]] bool is_level_beside(const OneVariable& f, double t) const {
     for (const int side : {-1, 1}) {
-      bool level = true;
-      for (const double h : {1e-9, 1e-6, 1e-4}) level = level && f.value(t + side * h * span_) == 0;
+      const double first = f.value(t + side * 1e-9 * span_);
+      bool level = f.certain_value(t + side * 1e-9 * span_) == 0;
+      for (const double h : {1e-6, 1e-4}) level = level && f.value(t + side * h * span_) == first;
       if (level) return true;
     }
     return false;

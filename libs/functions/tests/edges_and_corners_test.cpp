@@ -74,6 +74,10 @@ TEST(EdgesOfSteps, TheSidesOfAJumpAreLimitsAndNotNeighbouringValues) {
   EXPECT_TRUE(told_of("y = sign(x)*sqrt(|x|)", {-4, 4, -3, 3}).of(PointKind::jump).empty());
 }
 
+TEST(EdgesOfSteps, ALevelPieceThatRoundingMovesOffTheAxisHasNoZero) {
+  EXPECT_TRUE(told_of("y = sin(floor(x)*pi/2)", {-4.4, 4.4, -2, 2}).of(PointKind::zero).empty());
+}
+
 TEST(EdgesOfDomains, HolesHaveExactPlacesAndLimits) {
   EXPECT_EQ(told_of("y = (x^2 - x - 6)/(x^2 - 4x + 3)", {-6, 8, -7, 7}).of(PointKind::hole),
             (Lines{"hole at x = 3; y = 5 over 2, about 2.5"}));
