@@ -120,7 +120,11 @@ class ArcPoints {
   void add(PointKind kind, double t) { add(kind, x_.value(t), y_.value(t), t); }
   /// A coordinate that is known to be zero at `t` is exactly zero.
   void add(PointKind kind, double x, double y, double t) {
-    list_.add(statement_, kind, is_among(zeros_of_x_, t) ? 0 : x, is_among(zeros_of_y_, t) ? 0 : y, t);
+    // At a break it may be zero on one side only.
+    const bool is_exact = !is_broken(t);
+    if (is_exact && is_among(zeros_of_x_, t)) x = 0;
+    if (is_exact && is_among(zeros_of_y_, t)) y = 0;
+    list_.add(statement_, kind, x, y, t);
   }
   [[nodiscard]] bool is_among(const std::vector<double>& zeros, double t) const {
     const auto near = std::lower_bound(zeros.begin(), zeros.end(), t - 1e-11 * span_);
@@ -177,8 +181,9 @@ class ArcPoints {
       if (!at || is_level_beside(y_, t)) continue;
       const double y = y_.value(*at);
       // Steep curves miss zero by rounding, but change their sign.
-      if (small(y, w.y1 - w.y0) || y_.value(t - 1e-13 * span_) * y_.value(t + 1e-13 * span_) <= 0)
-        add(PointKind::zero, x_.is_parameter() ? t : x_.value(*at), 0, t);
+      // A jump over zero does not.
+      const bool changes = !is_broken(t) && y_.value(t - 1e-13 * span_) * y_.value(t + 1e-13 * span_) <= 0;
+      if (small(y, w.y1 - w.y0) || changes) add(PointKind::zero, x_.is_parameter() ? t : x_.value(*at), 0, t);
     }
     if (kind_.is_graph_of_x()) {
       if (w.x0 <= 0 && w.x1 >= 0 && std::isfinite(y_.value(0)) &&

@@ -46,7 +46,7 @@ class PointFinder {
     for (const Event& e : list_.events()) add(e);
     for (int i = 0; i < count; ++i) {
       add_values_at_steps(i);
-      add_slow_ends(i);
+      add_missed_gaps(i);
     }
     for (int i = 0; i < count; ++i) {
       if (!is_large(list_.statement(i))) add_asymptotes(i, list_);
@@ -130,22 +130,48 @@ class PointFinder {
     add(e);
   }
 
-  /// 1/ln(x) comes to its end at 0 so slowly that tracing sees no end.
-  void add_slow_ends(int i) {
+  /// What tracing has left undecided where the expression is undefined: beside a denominator that only
+  /// touches zero, as that of 1/(1 + sin(x)), and where a limit is reached slowly, as by 1/ln(x) at 0.
+  void add_missed_gaps(int i) {
     const Statement& s = list_.statement(i);
     const auto& breaks = breaks_[static_cast<std::size_t>(i)];
     if (!breaks || !curve_kind(s.kind).is_graph_of_x()) return;
     const Window& w = tracing_.window;
     const double span = w.x1 - w.x0;
+    const double reach = kNearBreak * span;
     const OneVariable f(s.terms[0], Variable::x);
     for (const BreakPlace& p : breaks->gaps(w.x0, w.x1)) {
-      const double reach = kNearBreak * span;
       if (list_.has_break(i, p.at, reach) || list_.has_event(i, EventKind::end, p.at, reach)) continue;
-      const bool before = std::isfinite(f.value(p.at - reach));
-      if (before == std::isfinite(f.value(p.at + reach))) continue;
-      if (const auto y = limit_at(s.terms[0], Variable::x, p.at, before ? -1 : 1))
-        list_.add(i, PointKind::end, p.at, *y, p.at);
+      Event e;
+      e.statement = i;
+      e.parameter = e.x = e.x_after = p.at;
+      e.y = e.y_after = PointList::kNaN;
+      if (grows_towards(f, p.at, -span) || grows_towards(f, p.at, span)) {
+        e.kind = EventKind::pole;
+        add(e);
+        continue;
+      }
+      const auto limit_of_side = [&](int side) {
+        return std::isfinite(f.value(p.at + side * reach)) ? limit_at(s.terms[0], Variable::x, p.at, side)
+                                                           : std::nullopt;
+      };
+      const auto before = limit_of_side(-1);
+      const auto after = limit_of_side(1);
+      if (!before && !after) continue;
+      e.kind = before && after ? EventKind::jump : EventKind::end;
+      e.y = before.value_or(after.value_or(0));
+      e.y_after = after.value_or(e.y);
+      if (before && after && std::abs(*before - *after) < 1e-9 * (w.y1 - w.y0)) e.kind = EventKind::hole;
+      // A case of its own fills the gap: {x = 0: 1, sin(x)/x}.
+      if (e.kind == EventKind::hole && p.is_step && std::isfinite(f.value(p.at))) continue;
+      add(e);
     }
+  }
+
+  static bool grows_towards(const OneVariable& f, double at, double span) {
+    constexpr double kGrowth = 5;
+    const double near = std::abs(f.value(at + kNearBreak * span));
+    return near > kGrowth * std::abs(f.value(at + 1e-3 * span)) && near > kGrowth;
   }
 
   /// Where the value at the edge of a step is on neither side, it is a point of its own: ceil(x) - floor(x)

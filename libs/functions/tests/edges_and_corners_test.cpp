@@ -93,6 +93,17 @@ TEST(EdgesOfDomains, AZeroAtTheEndOfTheDomainCounts) {
             (Lines{"zero at x = pi, about 3.142; y = 0", "zero at x = 2 pi, about 6.283; y = 0"}));
 }
 
+TEST(EdgesOfDomains, EveryPoleOfADenominatorThatTouchesZeroIsTold) {
+  EXPECT_EQ(told_of("y = 1/(1 + sin(x))", {-8.5, 8, -1, 9}).of(PointKind::vertical_asymptote).size(), 3U);
+  EXPECT_EQ(told_of("y = sin(x)/(1 - cos(x))", {-8, 8, -7, 7}).of(PointKind::vertical_asymptote).size(), 3U);
+}
+
+TEST(EdgesOfDomains, AJumpOverZeroIsNoZero) {
+  EXPECT_TRUE(told_of("y = |sin(x)|/sin(x)", {-5, 5, -2, 2}).of(PointKind::zero).empty());
+  EXPECT_EQ(told_of("y = sqrt(1 - floor(x)^2)", {-3.3, 3.3, -1, 2}).of(PointKind::y_intercept),
+            (Lines{"y intercept at x = 0; y = 1"}));
+}
+
 TEST(EdgesOfDomains, AnEndThatIsReachedSlowlyIsTold) {
   EXPECT_EQ(told_of("y = 1/ln(x)", {-1, 7, -6, 6}).of(PointKind::end), (Lines{"end at x = 0; y = 0"}));
 }
