@@ -112,6 +112,35 @@ Expression sine_of_multiples(const Expression& e) {
 
 }  // namespace
 
+/// Some functions are zero exactly where their argument is 0, or 1.
+static std::vector<Expression> zero_factors_of_function(const Expression& e) {
+  const Expression& u = e->arguments[0];
+  switch (e->function) {
+    case Function::sqrt:
+    case Function::abs:
+    case Function::sign:
+    case Function::cbrt:
+    case Function::asin:
+    case Function::atan:
+    case Function::sinh:
+    case Function::tanh:
+    case Function::asinh:
+    case Function::atanh:
+    case Function::erf:
+      return zero_factors(u);
+    case Function::where:
+      return zero_factors(e->arguments[1]);
+    case Function::acos:
+    case Function::acosh:
+    case Function::ln:
+    case Function::log10:
+    case Function::log2:
+      return zero_factors(reduced(binary(NodeKind::subtract, u, number(1))));
+    default:
+      return {e};
+  }
+}
+
 std::vector<Expression> zero_factors(const Expression& e) {
   const auto& a = e->arguments;
   switch (e->kind) {
@@ -138,9 +167,7 @@ std::vector<Expression> zero_factors(const Expression& e) {
       return {e};
     }
     case NodeKind::function:
-      if (e->function == Function::sqrt || e->function == Function::abs || e->function == Function::sign)
-        return zero_factors(a[0]);
-      return {e};
+      return zero_factors_of_function(e);
     case NodeKind::add:
     case NodeKind::subtract:
       if (Expression sine = touching_sine(e)) return {sine};

@@ -109,7 +109,8 @@ class ArcPoints {
     double h = 1e-8 * span_;
     for (int i = 0; i < kSidesTried; ++i, h *= 8) {
       const auto s = beside(t, side * h);
-      if (!s) return 0;
+      // Beyond a break it is the sign of another piece.
+      if (!s || list_.has_break(statement_, t + side * h / 2, h / 2)) return 0;
       const double v = f.certain_value(*s);
       if (v != 0 && !std::isnan(v)) return v < 0 ? -1 : 1;
     }
@@ -119,7 +120,11 @@ class ArcPoints {
   void add(PointKind kind, double t) { add(kind, x_.value(t), y_.value(t), t); }
   /// A coordinate that is known to be zero at `t` is exactly zero.
   void add(PointKind kind, double x, double y, double t) {
-    list_.add(statement_, kind, is_among(zeros_of_x_, t) ? 0 : x, is_among(zeros_of_y_, t) ? 0 : y, t);
+    // At a break it may be zero on one side only.
+    const bool is_exact = !is_broken(t);
+    if (is_exact && is_among(zeros_of_x_, t)) x = 0;
+    if (is_exact && is_among(zeros_of_y_, t)) y = 0;
+    list_.add(statement_, kind, x, y, t);
   }
   [[nodiscard]] bool is_among(const std::vector<double>& zeros, double t) const {
     const auto near = std::lower_bound(zeros.begin(), zeros.end(), t - 1e-11 * span_);
@@ -152,10 +157,12 @@ class ArcPoints {
     return some;
   }
 
+  /// Whether the function stays what it is on one side; a sine of a step can be off zero by rounding.
   [[nodiscard]] bool is_level_beside(const OneVariable& f, double t) const {
     for (const int side : {-1, 1}) {
-      bool level = true;
-      for (const double h : {1e-9, 1e-6, 1e-4}) level = level && f.value(t + side * h * span_) == 0;
+      const double first = f.value(t + side * 1e-9 * span_);
+      bool level = f.certain_value(t + side * 1e-9 * span_) == 0;
+      for (const double h : {1e-6, 1e-4}) level = level && f.value(t + side * h * span_) == first;
       if (level) return true;
     }
     return false;
@@ -174,8 +181,9 @@ class ArcPoints {
       if (!at || is_level_beside(y_, t)) continue;
       const double y = y_.value(*at);
       // Steep curves miss zero by rounding, but change their sign.
-      if (small(y, w.y1 - w.y0) || y_.value(t - 1e-13 * span_) * y_.value(t + 1e-13 * span_) <= 0)
-        add(PointKind::zero, x_.is_parameter() ? t : x_.value(*at), 0, t);
+      // A jump over zero does not.
+      const bool changes = !is_broken(t) && y_.value(t - 1e-13 * span_) * y_.value(t + 1e-13 * span_) <= 0;
+      if (small(y, w.y1 - w.y0) || changes) add(PointKind::zero, x_.is_parameter() ? t : x_.value(*at), 0, t);
     }
     if (kind_.is_graph_of_x()) {
       if (w.x0 <= 0 && w.x1 >= 0 && std::isfinite(y_.value(0)) &&
@@ -204,6 +212,8 @@ class ArcPoints {
       const int before = sign_beside(slope_y_, t, -1);
       const int after = sign_beside(slope_y_, t, 1);
       if (before * after >= 0 || !is_joined(t)) continue;
+      // Where the curve turns round and goes back the same way it ends.
+      if (arc_.ends_are_real && goes_back(t)) continue;
       if (std::abs(y) < 1e-15 * height) y = 0;
       add(after > 0 ? PointKind::minimum : PointKind::maximum, x, y, t);
     }

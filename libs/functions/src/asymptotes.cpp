@@ -45,11 +45,15 @@ void add_asymptotes(int statement, PointList& list) {
       PointOfInterest* const added =
           of_x ? list.add(statement, PointKind::horizontal_asymptote, PointList::kNaN, far.intercept)
                : list.add(statement, PointKind::vertical_asymptote, far.intercept, PointList::kNaN);
-      if (added != nullptr) added->side = side;
+      if (added != nullptr) {
+        added->side = side;
+        added->along_y = !of_x;
+      }
     }
     if (far.kind == FarOut::slanted && is_in_window(w, far.slope, far.intercept, of_x))
       list.add_slanted(statement, of_x ? far.slope : 1 / far.slope,
-                       of_x ? far.intercept : -far.intercept / far.slope, side);
+                       of_x ? far.intercept : -far.intercept / far.slope, side)
+          .along_y = !of_x;
   };
   if (alike) {
     add(before, 0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact_name.h"
+#include "nazori/functions/points.h"
 #include "one_variable.h"
 
 namespace nazori::functions {
@@ -182,9 +183,20 @@ class FarLook {
 
 }  // namespace
 
+namespace {
+
+/// The number as it is written where it has a name: x - pi beside pi is not left to rounding.
+Expression exact_number(double value) {
+  const auto name = exact_name(value);
+  const auto parsed = name ? parse(*name) : tl::unexpected(SyntaxError{});
+  return parsed ? parsed->statements[0].terms[0] : number(value);
+}
+
+}  // namespace
+
 std::optional<double> limit_at(const Expression& f, Variable v, double at, int side) {
   const Expression step = binary(NodeKind::divide, number(side), variable(v));
-  const Expression moved = at == 0 ? step : binary(NodeKind::add, number(at), step);
+  const Expression moved = at == 0 ? step : binary(NodeKind::add, exact_number(at), step);
   const Expression g = substitute(reduced(f), v, moved);
   // Where two large parts nearly cancel, (1 - cos(x))/x^2, nearer is less exact.
   for (int last = kLast; last >= kShortest; last -= 2) {

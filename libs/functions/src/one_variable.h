@@ -67,8 +67,11 @@ class OneVariable {
   }
   /// The value, or 0 where its sign may be due to rounding.
   [[nodiscard]] double certain_value(double t) const {
+    // Near the smallest numbers nothing is left of the digits: x e^(1/x) left of 0.
+    constexpr double kVanishing = 1e-280;
     const double v = value(t);
-    return v == 0 || std::isnan(v) ? v : beyond_rounding(v, range(t, t));
+    if (std::abs(v) < kVanishing) return 0;
+    return std::isnan(v) ? v : beyond_rounding(v, range(t, t));
   }
 
  private:

@@ -98,7 +98,7 @@ class PieceCounter {
     join_lines();
     join_loose_ends();
     join_fills();
-    return groups_.count();
+    return is_open_region() ? std::max(groups_.count(), separate_areas()) : groups_.count();
   }
 
  private:
@@ -106,7 +106,6 @@ class PieceCounter {
     Line line;
     std::size_t group;
   };
-
   /// The pieces of a branch inside the window are one after the other.
   void add(const Branch& branch) {
     std::optional<std::size_t> group;
@@ -122,6 +121,8 @@ class PieceCounter {
       if (!group || std::hypot(inside->p.u - last.u, inside->p.v - last.v) > 1e-9) group = groups_.add();
       last = inside->q;
       parts_.push_back({*inside, *group});
+      const bool is_alone = branch.points.size() == 2 && std::hypot(q.u - p.u, q.v - p.v) < kJoined;
+      if (is_alone && !branch.has_parameter && !branch.boundary) tips_.push_back(parts_.back());
       const bool is_loose = !branch.has_parameter && !branch.boundary && !branch.closed;
       const auto is_at = [](PlatePoint a, const CurvePoint& b) { return a.u == b.u && a.v == b.v; };
       if (is_loose && i == 0 && is_at(inside->p, p)) ends_.emplace_back(inside->p, *group);
@@ -201,6 +202,79 @@ class PieceCounter {
       }
       if (nearest) groups_.join(group, *nearest);
     }
+    join_tips();
+  }
+
+  /// The tip of a narrow cusp is drawn as a short line of its own, where both arms are nearer to each other
+  /// than a cell for a long way.
+  void join_tips() {
+    constexpr double kReach = 0.15;
+    for (const Part& tip : tips_) {
+      double best = kReach;
+      std::optional<std::size_t> nearest;
+      for (const Part& part : parts_) {
+        if (groups_.root(part.group) == groups_.root(tip.group)) continue;
+        const double d = distance(tip.line.p, part.line);
+        if (d < best) {
+          best = d;
+          nearest = part.group;
+        }
+      }
+      if (nearest) groups_.join(tip.group, *nearest);
+    }
+  }
+
+  /// Areas without their borders that touch in a point only, as x y > 0: as many as there are without the
+  /// cells of the borders. What is narrower than some cells is not told apart.
+  [[nodiscard]] int separate_areas() const {
+    std::vector<bool> is_inside(static_cast<std::size_t>(kCells) * kCells, false);
+    const auto index = [](int r, int c) {
+      return static_cast<std::size_t>(r) * kCells + static_cast<std::size_t>(c);
+    };
+    const auto last = [](double high) { return cell(std::nextafter(high, 0.0)); };
+    for (const Fill& f : tracing_.fills) {
+      if (f.statement != statement_ || f.high.u <= 0 || f.low.u >= 1 || f.high.v <= 0 || f.low.v >= 1)
+        continue;
+      for (int r = cell(f.low.v); r <= last(f.high.v); ++r) {
+        for (int c = cell(f.low.u); c <= last(f.high.u); ++c) is_inside[index(r, c)] = true;
+      }
+    }
+    for (const Part& part : parts_) cells_of(part.line, [&](std::size_t i) { is_inside[i] = false; });
+    constexpr int kLeastCells = 24;
+    int count = 0;
+    std::vector<std::pair<int, int>> open;
+    for (int row = 0; row < kCells; ++row) {
+      for (int column = 0; column < kCells; ++column) {
+        int size = 0;
+        const auto visit = [&](int r, int c) {
+          if (r < 0 || c < 0 || r >= kCells || c >= kCells || !is_inside[index(r, c)]) return;
+          is_inside[index(r, c)] = false;
+          ++size;
+          open.emplace_back(r, c);
+        };
+        visit(row, column);
+        while (!open.empty()) {
+          const auto [r, c] = open.back();
+          open.pop_back();
+          visit(r + 1, c);
+          visit(r - 1, c);
+          visit(r, c + 1);
+          visit(r, c - 1);
+        }
+        count += size >= kLeastCells ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  /// Whether no border belongs to the region.
+  [[nodiscard]] bool is_open_region() const {
+    const bool has_fill = std::any_of(tracing_.fills.begin(), tracing_.fills.end(),
+                                      [this](const Fill& f) { return f.statement == statement_; });
+    return has_fill &&
+           std::all_of(tracing_.branches.begin(), tracing_.branches.end(), [this](const Branch& b) {
+             return b.statement != statement_ || (b.boundary && b.strict);
+           });
   }
 
   /// Areas touch where they cover neighbouring cells, and the lines on their border belong to them.
@@ -252,6 +326,7 @@ class PieceCounter {
   int statement_;
   Groups groups_;
   std::vector<Part> parts_;
+  std::vector<Part> tips_;                                // single short lines of equations
   std::vector<std::pair<PlatePoint, std::size_t>> ends_;  // of lines of equations, inside the window
 };
 

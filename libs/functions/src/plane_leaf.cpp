@@ -52,24 +52,30 @@ void PlaneTracer::add_root(Point p, Point q, double fp, double fq, bool continuo
   }
   // Not proven: accepted only where the values shrink to zero, as at removable gaps.
   if (!continuous && std::max(std::abs(fp), std::abs(fq)) > 1e-6 * first) return;
-  // Illinois: the false position, with the kept end halved.
+  // Illinois: the false position, with an end that is kept twice halved.
+  constexpr double kExact = 1e-13;  // of the side of a box
   double x = low;
-  for (int i = 0; i < 100 && high - low > 1e-14; ++i) {
+  int kept = 0;
+  for (int i = 0; i < 100 && high - low > kExact; ++i) {
     const double step = fq - fp;
     x = step != 0 && std::isfinite(step) ? low - fp * (high - low) / step : (low + high) / 2;
     if (!(x > low && x < high) || i > 40) x = (low + high) / 2;
     const double fx = value(between(p, q, x));
     if (fx == 0 || std::isnan(fx)) break;
     if (sign_of(fx) == sign_of(fp)) {
-      if (x - low < 1e-15) break;
+      const double moved = x - low;
       low = x;
       fp = fx;
-      fq /= 2;
+      if (kept == 1) fq /= 2;
+      kept = 1;
+      if (moved < kExact) break;
     } else {
-      if (high - x < 1e-15) break;
+      const double moved = high - x;
       high = x;
       fq = fx;
-      fp /= 2;
+      if (kept == -1) fp /= 2;
+      kept = -1;
+      if (moved < kExact) break;
     }
   }
   const Point root = between(p, q, x);

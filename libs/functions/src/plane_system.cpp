@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -18,6 +19,8 @@ namespace {
 
 // Boxes of this share of the rectangle that are still undecided are parts of a degenerate zero.
 constexpr double kFinest = 1e-7;
+// The same where the number of boxes is used up.
+constexpr double kUnfinished = 2e-5;
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 class SystemSolver {
@@ -35,8 +38,15 @@ class SystemSolver {
 
   SystemRoots run() {
     // Off round numbers, so that zeros do not lie on the borders of boxes.
-    visit({low_[0] - 0.00137 * range_[0], low_[1] - 0.00213 * range_[1]},
-          {low_[0] + 1.00171 * range_[0], low_[1] + 1.00193 * range_[1]});
+    open_.push_back({{low_[0] - 0.00137 * range_[0], low_[1] - 0.00213 * range_[1]},
+                     {low_[0] + 1.00171 * range_[0], low_[1] + 1.00193 * range_[1]}});
+    // Large boxes first: a point where all is degenerate does not keep the others from being found.
+    for (; !open_.empty() && boxes_ < most_; ++boxes_) {
+      const Box box = open_.front();
+      open_.pop_front();
+      visit(box.low, box.high);
+    }
+    for (const Box& box : open_) leave_unfinished(box);
     judge_clusters();
     return std::move(out_);
   }
@@ -49,11 +59,18 @@ class SystemSolver {
     Point low, high;
   };
 
-  void visit(const Point& low, const Point& high) {
-    if (++boxes_ > most_) {
+  /// Small boxes that are left over surround a degenerate zero.
+  void leave_unfinished(const Box& box) {
+    const bool small = box.high[0] - box.low[0] <= kUnfinished * range_[0] &&
+                       box.high[1] - box.low[1] <= kUnfinished * range_[1];
+    if (small) {
+      fine_.push_back(box);
+    } else {
       out_.complete = false;
-      return;
     }
+  }
+
+  void visit(const Point& low, const Point& high) {
     const std::array sides{Interval(low[0], high[0]), Interval(low[1], high[1])};
     tape_.evaluate<D>(std::array{D(sides[0], 0), D(sides[1], 1)}, duals_);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -84,8 +101,8 @@ class SystemSolver {
     upper[axis] = cut;
     Point lower = low;
     lower[axis] = cut;
-    visit(low, upper);
-    visit(lower, high);
+    open_.push_back({low, upper});
+    open_.push_back({lower, high});
   }
 
   /// By the mean value form, from the derivatives in duals_.
@@ -208,7 +225,8 @@ class SystemSolver {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
               [&](std::size_t i, std::size_t j) { return fine_[i].low[0] < fine_[j].low[0]; });
-    const Point reach{4 * kFinest * range_[0], 4 * kFinest * range_[1]};
+    const double share = open_.empty() ? 4 * kFinest : 2 * kUnfinished;
+    const Point reach{share * range_[0], share * range_[1]};
     for (std::size_t i = 0; i < order.size(); ++i) {
       const Box& p = fine_[order[i]];
       for (std::size_t j = i + 1; j < order.size() && fine_[order[j]].low[0] <= p.high[0] + reach[0]; ++j) {
@@ -234,8 +252,9 @@ class SystemSolver {
   /// One point of a group of boxes: the roundest one at which all functions vanish.
   void judge(const Box& box) {
     for (std::size_t k = 0; k < 2; ++k) {
-      // A chain of boxes along a curve that both functions have in common is no point.
-      if (box.high[k] - box.low[k] > 2e-4 * range_[k]) return;
+      // A chain of boxes along a curve that both functions have in common is no point. Around a point where
+      // the gradient vanishes to a high order it is longer.
+      if (box.high[k] - box.low[k] > (count_ > 2 ? 2e-2 : 2e-4) * range_[k]) return;
     }
     std::array<std::vector<double>, 2> candidates;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -261,8 +280,10 @@ class SystemSolver {
       const auto step = newton_step(p);
       if (!step) break;
       const Point next{p[0] - (*step)[0], p[1] - (*step)[1]};
-      if (std::abs(next[0] - start[0]) > 1e-4 * range_[0] || std::abs(next[1] - start[1]) > 1e-4 * range_[1])
-        break;
+      const auto strays = [&](std::size_t k) {
+        return std::abs(next[k] - start[k]) > std::max(1e-4 * range_[k], box.high[k] - box.low[k]);
+      };
+      if (strays(0) || strays(1)) break;
       p = next;
     }
     for (std::size_t k = 0; k < 2; ++k) {
@@ -314,6 +335,7 @@ class SystemSolver {
   std::vector<double> values_;
   std::vector<Interval> intervals_;
   std::vector<G> gradients_;
+  std::deque<Box> open_;
   std::vector<Box> fine_;
   SystemRoots out_;
 };

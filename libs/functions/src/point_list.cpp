@@ -41,7 +41,7 @@ bool PointList::has_near(int statement, PointKind kind, double x, double y, doub
 }
 
 bool PointList::has_event(int statement, EventKind kind, double parameter, double reach) const {
-  return std::any_of(tracing_.events.begin(), tracing_.events.end(), [&](const Event& e) {
+  return std::any_of(events_.begin(), events_.end(), [&](const Event& e) {
     return e.statement == statement && e.kind == kind && std::abs(e.parameter - parameter) <= reach;
   });
 }
@@ -75,7 +75,7 @@ PointOfInterest* PointList::add(int statement, PointKind kind, double x, double 
   return &found_.back();
 }
 
-void PointList::add_slanted(int statement, double slope, double intercept, int side) {
+PointOfInterest& PointList::add_slanted(int statement, double slope, double intercept, int side) {
   PointOfInterest p;
   p.kind = PointKind::slanted_asymptote;
   p.statement = statement;
@@ -84,6 +84,7 @@ void PointList::add_slanted(int statement, double slope, double intercept, int s
   p.intercept = intercept;
   p.side = side;
   found_.push_back(std::move(p));
+  return found_.back();
 }
 
 std::vector<PointOfInterest> PointList::take() {

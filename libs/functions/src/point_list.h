@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "nazori/functions/points.h"
@@ -19,7 +20,8 @@ class PointList {
         tracing_(tracing),
         window_(tracing.window),
         most_(most),
-        counts_(plot.statements.size()) {}
+        counts_(plot.statements.size()),
+        events_(tracing.events) {}
 
   [[nodiscard]] const Plot& plot() const { return plot_; }
   [[nodiscard]] const Tracing& tracing() const { return tracing_; }
@@ -28,11 +30,15 @@ class PointList {
     return plot_.statements[static_cast<std::size_t>(i)];
   }
 
+  /// What tracing found, in places that are solved for exactly.
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  void set_events(std::vector<Event> events) { events_ = std::move(events); }
+
   /// @return the point, or null where it was not added.
   PointOfInterest* add(int statement, PointKind kind, double x, double y, double parameter = 0,
                        int other = -1);
   /// A slanted asymptote, which has no place of its own.
-  void add_slanted(int statement, double slope, double intercept, int side);
+  PointOfInterest& add_slanted(int statement, double slope, double intercept, int side);
   /// Whether a point of this kind is at most `share` of the window away.
   [[nodiscard]] bool has_near(int statement, PointKind kind, double x, double y, double share) const;
   /// Whether tracing found a break (pole, hole, jump) of the statement at this parameter.
@@ -50,6 +56,7 @@ class PointList {
   std::size_t most_;
   std::vector<std::size_t> counts_;
   std::vector<PointOfInterest> found_;
+  std::vector<Event> events_;
 };
 
 }  // namespace nazori::functions

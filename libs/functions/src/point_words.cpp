@@ -38,16 +38,31 @@ constexpr std::array<KindWords, 17> kKinds{{{"zero", "zeros", "零点"},
                                             {"cusp", "cusps", "尖点"},
                                             {"slanted asymptote", "slanted asymptotes", "斜めの漸近線"}}};
 
-/// Three significant digits, "minus" in words for listeners; an exact name comes first.
+/// Four significant digits, never with a power of ten: "1000000", "0.00000125".
+std::string four_digits(double v) {
+  constexpr double kLargest = 1e15;
+  constexpr double kSmallest = 1e-4;
+  if (v >= kLargest || !std::isfinite(v)) return fmt::format("{:.4g}", v);
+  if (v >= 1000) {
+    const double unit = std::pow(10.0, std::floor(std::log10(v)) - 3);
+    return fmt::format("{:.0f}", std::round(v / unit) * unit);
+  }
+  if (v >= kSmallest || v == 0) return fmt::format("{:.4g}", v);
+  std::string digits = fmt::format("{:.{}f}", v, static_cast<int>(3 - std::floor(std::log10(v))));
+  digits.erase(digits.find_last_not_of('0') + 1);
+  return digits;
+}
+
+/// Four significant digits, "minus" in words for listeners; an exact name comes first.
 std::string spoken(double v, const std::string& name, Language language,
                    SpeechStyle style = SpeechStyle::verbose) {
   const bool english = language == Language::english;
   const double shown = std::abs(v) < 1e-12 ? 0 : v;
-  std::string digits = fmt::format("{:.4g}", std::abs(shown));
-  if (shown < 0) digits = (english ? "minus " : "マイナス") + digits;
+  const std::string sign = shown < 0 ? (english ? "minus " : "マイナス") : "";
+  const std::string digits = sign + four_digits(std::abs(shown));
   if (name.empty()) return (english ? "about " : "約") + digits;
   const bool plain = name.find_first_not_of("-0123456789") == std::string::npos;
-  if (plain) return digits;
+  if (plain) return sign + (name[0] == '-' ? name.substr(1) : name);
   const auto parsed = parse(name);
   const std::string words = parsed ? in_words(parsed->statements[0].terms[0], language, style) : name;
   return english ? words + ", about " + digits : words + "、約" + digits;
@@ -70,12 +85,21 @@ std::string line_in_words(const PointOfInterest& p, Language language, SpeechSty
 std::string side_in_words(const PointOfInterest& p, Language language) {
   if (p.side == 0) return {};
   const bool english = language == Language::english;
-  const bool after = p.side > 0;
-  if (p.kind == PointKind::vertical_asymptote)
-    return english ? (after ? ", on its right side only" : ", on its left side only")
-                   : (after ? "（右側だけ）" : "（左側だけ）");
-  return english ? (after ? ", far to the right only" : ", far to the left only")
-                 : (after ? "（右の遠くだけ）" : "（左の遠くだけ）");
+  // Beside an upright asymptote of y = f(x), or a level one of x = g(y), else far out.
+  const bool is_beside =
+      p.kind == (p.along_y ? PointKind::horizontal_asymptote : PointKind::vertical_asymptote);
+  struct SideWords {
+    const char* english;
+    const char* japanese;
+  };
+  // By along_y, is_beside and the sign of the side.
+  constexpr SideWords kWords[2][2][2] = {
+      {{{", far to the left only", "（左の遠くだけ）"}, {", far to the right only", "（右の遠くだけ）"}},
+       {{", on its left side only", "（左側だけ）"}, {", on its right side only", "（右側だけ）"}}},
+      {{{", far below only", "（下の遠くだけ）"}, {", far above only", "（上の遠くだけ）"}},
+       {{", below it only", "（下側だけ）"}, {", above it only", "（上側だけ）"}}}};
+  const SideWords& words = kWords[p.along_y ? 1 : 0][is_beside ? 1 : 0][p.side > 0 ? 1 : 0];
+  return english ? words.english : words.japanese;
 }
 
 /// What is on both sides of a jump, and what is taken.

@@ -117,11 +117,19 @@ class RootFinder {
   }
 
   /// The roundest number or multiple of pi nearby that cannot be distinguished from a zero; `x` if there is
-  /// none.
+  /// none. What is round in one unit has many decimals in the others: 2 pi, and not 6.28319.
   double roundest_zero(double x, double reach) {
-    for (const double unit : {1.0, std::numbers::pi}) {
-      const double round = unit * simplest_between((x - reach) / unit, (x + reach) / unit);
-      if (is_zero_at(round)) return round;
+    constexpr double kTwelfth = 1.0 / 12;
+    constexpr std::array<double, 4> kUnits{1.0, std::numbers::pi, kTwelfth, std::numbers::pi * kTwelfth};
+    std::array<RoundNumber, kUnits.size()> candidates;
+    for (std::size_t i = 0; i < kUnits.size(); ++i) {
+      candidates[i] = roundest_between((x - reach) / kUnits[i], (x + reach) / kUnits[i]);
+      candidates[i].value *= kUnits[i];
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const RoundNumber& a, const RoundNumber& b) { return a.decimals < b.decimals; });
+    for (const RoundNumber& c : candidates) {
+      if (is_zero_at(c.value)) return c.value;
     }
     return x;
   }

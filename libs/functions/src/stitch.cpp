@@ -12,21 +12,23 @@ namespace {
 /// Numbers points so that points nearer than the tolerance share a number.
 class PointIndex {
  public:
-  explicit PointIndex(double tolerance) : tolerance_(tolerance) {}
+  PointIndex(double tolerance, std::size_t expected) : tolerance_(tolerance), cell_(kCell * tolerance) {
+    numbers_.reserve(expected);
+  }
 
   std::size_t number_of(PlatePoint p) {
-    const auto cu = static_cast<std::int64_t>(std::floor(p.u / tolerance_));
-    const auto cv = static_cast<std::int64_t>(std::floor(p.v / tolerance_));
-    for (std::int64_t du = -1; du <= 1; ++du) {
-      for (std::int64_t dv = -1; dv <= 1; ++dv) {
-        const auto found = numbers_.find(key(cu + du, cv + dv));
-        if (found == numbers_.end()) continue;
-        const PlatePoint& q = points[found->second];
-        if (std::hypot(p.u - q.u, p.v - q.v) <= tolerance_) return found->second;
+    const auto cell = [this](double c) { return static_cast<std::int64_t>(std::floor(c / cell_)); };
+    for (std::int64_t cu = cell(p.u - tolerance_); cu <= cell(p.u + tolerance_); ++cu) {
+      for (std::int64_t cv = cell(p.v - tolerance_); cv <= cell(p.v + tolerance_); ++cv) {
+        const auto [first, last] = numbers_.equal_range(key(cu, cv));
+        for (auto found = first; found != last; ++found) {
+          const PlatePoint& q = points[found->second];
+          if (std::hypot(p.u - q.u, p.v - q.v) <= tolerance_) return found->second;
+        }
       }
     }
     points.push_back(p);
-    numbers_.emplace(key(cu, cv), points.size() - 1);
+    numbers_.emplace(key(cell(p.u), cell(p.v)), points.size() - 1);
     return points.size() - 1;
   }
 
@@ -37,15 +39,18 @@ class PointIndex {
     return static_cast<std::uint64_t>(a) * 0x9E3779B97F4A7C15ULL ^
            static_cast<std::uint64_t>(b) * 0xC2B2AE3D27D4EB4FULL;
   }
+  // So many times the tolerance that most points have to look into one cell only.
+  static constexpr double kCell = 16;
   double tolerance_;
-  std::unordered_map<std::uint64_t, std::size_t> numbers_;
+  double cell_;
+  std::unordered_multimap<std::uint64_t, std::size_t> numbers_;
 };
 
 }  // namespace
 
 std::vector<std::vector<PlatePoint>> stitched(const std::vector<PlaneSolution::Segment>& segments,
                                               double tolerance) {
-  PointIndex index(tolerance);
+  PointIndex index(tolerance, 2 * segments.size());
   struct Edge {
     std::size_t a;
     std::size_t b;

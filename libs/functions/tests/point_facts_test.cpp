@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of interest and numbers of pieces against a table of facts, each derived by hand ("how"). Another
-// table can be given in the environment: NAZORI_FACTS=FILE
+// Points of interest and numbers of pieces against two tables of facts: one derived by hand ("how"), one by a
+// computer algebra system (tools/make-function-facts). Another table can be given in the environment:
+// NAZORI_FACTS=FILE
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -104,13 +105,18 @@ INSTANTIATE_TEST_SUITE_P(Parts, PointFactsOfPart, testing::Range(std::size_t{0},
 
 TEST_P(PointFactsOfPart, WhatIsToldOfACurveIsWhatMathematicsSays) {
   const char* other = std::getenv("NAZORI_FACTS");  // NOLINT(concurrency-mt-unsafe): before any thread
-  std::ifstream file(other != nullptr ? std::string(other)
-                                      : std::string(test_paths::kFixtures) + "/facts.json");
-  const Json table = Json::parse(file);
-  ASSERT_GE(table.size(), 1U);
-  for (std::size_t i = GetParam(); i < table.size(); i += kParts) {
-    const std::string bad = disagreements(table[i]);
-    EXPECT_TRUE(bad.empty()) << table[i]["id"] << " " << table[i]["expr"] << bad;
+  const std::string folder = std::string(test_paths::kFixtures) + "/";
+  const std::vector<std::string> tables =
+      other != nullptr ? std::vector<std::string>{other}
+                       : std::vector<std::string>{folder + "facts.json", folder + "facts_from_algebra.json"};
+  for (const std::string& path : tables) {
+    std::ifstream file(path);
+    const Json table = Json::parse(file);
+    ASSERT_GE(table.size(), 1U);
+    for (std::size_t i = GetParam(); i < table.size(); i += kParts) {
+      const std::string bad = disagreements(table[i]);
+      EXPECT_TRUE(bad.empty()) << table[i]["id"] << " " << table[i]["expr"] << bad;
+    }
   }
 }
 

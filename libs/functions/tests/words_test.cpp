@@ -226,7 +226,7 @@ TEST(Words, APlaceIsSaidInFourDigitsAndWholeNumbersAsTheyAre) {
   EXPECT_EQ(place_in_words(1.23456, -12.3456, kEnglish), "x = about 1.235; y = about minus 12.35");
   EXPECT_EQ(place_in_words(0, -0.0, kEnglish), "x = 0; y = 0");
   EXPECT_EQ(place_in_words(9999, -9999, kEnglish), "x = 9999; y = minus 9999");
-  EXPECT_EQ(place_in_words(10000, 12345, kEnglish), "x = about 1e+04; y = about 1.234e+04");
+  EXPECT_EQ(place_in_words(10000, 12345, kEnglish), "x = about 10000; y = about 12350");
   EXPECT_EQ(place_in_words(1.5, 2, kJapanese), "x = 約1.5、y = 2");
 }
 

@@ -54,6 +54,7 @@ struct PointOfInterest {
   /// Of asymptotes: -1 where the curve approaches only far to the left (below), 1 far to the right (above), 0
   /// to both sides. Of a vertical asymptote of y = f(x): the side of it on which the curve is.
   int side = 0;
+  bool along_y = false;  ///< of asymptotes of x = g(y): `side` is below (-1) or above (1)
   double slope = 0;      ///< of a slanted asymptote y = slope x + intercept
   double intercept = 0;  ///< of a slanted asymptote
 };
