@@ -72,12 +72,22 @@ std::string in_braille(const Statement& typed, BrailleCode code) {
 
 std::string in_braille(const Plot& plot, BrailleCode code) {
   std::string text;
-  for (const Statement& s : plot.statements) text += (text.empty() ? "" : "\n") + in_braille(s, code);
+  for (const Statement& s : plot.statements) {
+    if (s.element > 0) continue;
+    text += (text.empty() ? "" : "\n") + in_braille(s.typed ? *s.typed : s, code);
+  }
   for (const Parameter& p : plot.parameters) {
     BrailleWriter writer(code);
     writer.cells().put_letters(braille_word(p.name));
     writer.comparison(Comparison::equal);
     writer.write(number(p.value));
+    text += "\n" + finished(std::move(writer), code);
+  }
+  for (const NamedList& l : plot.lists) {
+    BrailleWriter writer(code);
+    writer.cells().put_letters(braille_word(l.name));
+    writer.comparison(Comparison::equal);
+    writer.write(l.typed);
     text += "\n" + finished(std::move(writer), code);
   }
   return text;

@@ -44,6 +44,8 @@ class BrailleWriter {
   void argument(const Expression& e, bool followed);
   void radical(const Expression& inside, const Expression& index);
   void cases(const Node& n);
+  /// [1, 2, 3]; of a range [1, 3, ..., 9].
+  void list(const Node& n);
   void between(std::string_view open, const Expression& e, std::string_view close);
   void function(const Node& n, bool followed);
 

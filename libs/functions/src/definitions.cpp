@@ -6,6 +6,7 @@
 
 #include "algebra.h"
 #include "derivative.h"
+#include "lists.h"
 #include "parser.h"
 
 namespace nazori::functions {
@@ -144,6 +145,7 @@ tl::expected<Parameter, SyntaxError> Parser::read_parameter(const std::string& l
   if (d != nullptr) {
     const Parsed body = body_of(*d);
     if (!body) return tl::unexpected(body.error());
+    if (has_list(*body)) return tl::unexpected(SyntaxError{d->column, SyntaxFault::list_misplaced, letter});
     p.value = constant_value(*body);
     if (!std::isfinite(p.value))
       return tl::unexpected(SyntaxError{d->column, SyntaxFault::not_a_number, letter});
@@ -183,9 +185,14 @@ tl::expected<Parameter, SyntaxError> Parser::read_parameter(const std::string& l
 }
 
 Parser::Parsed Parser::parameter_value(const std::string& letter) {
+  Definition* const d = definition(letter);
+  if (d != nullptr) {
+    const Parsed body = body_of(*d);
+    if (!body) return body;
+    if (has_list(*body)) return named_list(*d, *body);
+  }
   const auto p = read_parameter(letter);
   if (!p) return tl::unexpected(p.error());
-  Definition* const d = definition(letter);
   if (d == nullptr) return parameter(letter, p->value, true);
   const auto rational = rational_value(d->body);
   // pi/2 stays what it is: as a double it would not be a quarter turn.
@@ -216,7 +223,7 @@ Parser::Parsed Parser::named() {
   if (!body) return body;
   Expression e = *body;
   for (int i = 0; i < primes; ++i) {
-    e = slope_where_defined(e, d->variable);
+    e = slope_of(e, d->variable);
     if (!e) return tl::unexpected(SyntaxError{name.column, SyntaxFault::no_derivative, name.text});
   }
   const std::size_t size = count_up_to((*arguments)[0], kMostParts);
@@ -231,7 +238,7 @@ tl::expected<bool, SyntaxError> Parser::take_parameter() {
     Definition* const d = definition(letter);
     if (d == nullptr || d->is_function || d->start != at_ + 2)
       return refuse(SyntaxFault::defined_twice, letter);
-    if (auto p = read_parameter(letter); !p) return tl::unexpected(p.error());
+    if (auto value = parameter_value(letter); !value) return tl::unexpected(value.error());
     at_ = d->end;
     return true;
   }
@@ -249,20 +256,22 @@ tl::expected<bool, SyntaxError> Parser::take_parameter() {
   return true;
 }
 
-void Parser::sort_parameters() {
-  const auto place = [this](const Parameter& p) {
-    if (const Definition* const d = definition(p.name)) return d->start;
+void Parser::sort_definitions() {
+  const auto place = [this](const std::string& name) {
+    if (const Definition* const d = definition(name)) return d->start;
     const auto range = std::find_if(ranges_.begin(), ranges_.end(),
-                                    [&p](const ParameterRange& r) { return r.letter == p.name; });
+                                    [&name](const ParameterRange& r) { return r.letter == name; });
     return range->start;
   };
-  std::sort(definitions_.parameters.begin(), definitions_.parameters.end(),
-            [&place](const Parameter& a, const Parameter& b) { return place(a) < place(b); });
+  const auto in_order = [&place](const auto& a, const auto& b) { return place(a.name) < place(b.name); };
+  std::sort(definitions_.parameters.begin(), definitions_.parameters.end(), in_order);
+  std::sort(definitions_.lists.begin(), definitions_.lists.end(), in_order);
 }
 
 std::optional<std::array<int, 2>> Parser::value_columns(const std::string& letter) {
   const Definition* const d = definition(letter);
   if (d == nullptr || d->is_function || d->state != Definition::State::read) return std::nullopt;
+  if (has_list(d->body)) return std::nullopt;
   return std::array{tokens_[d->start].column, tokens_[d->end].column};
 }
 

@@ -48,7 +48,7 @@ tl::expected<std::vector<Relation>, SyntaxError> Parser::run() {
   if (relations.empty()) {
     return refuse(SyntaxFault::no_expression);
   }
-  sort_parameters();
+  sort_definitions();
   return relations;
 }
 
@@ -62,6 +62,7 @@ tl::expected<void, SyntaxError> Parser::check_lines() const {
       case TokenKind::divide:
       case TokenKind::power:
       case TokenKind::comma:
+      case TokenKind::dots:
       case TokenKind::comparison:
       case TokenKind::semicolon:
       case TokenKind::colon:
@@ -385,8 +386,8 @@ Parser::Parsed Parser::bars() {
 Parser::Parsed Parser::group() {
   const Token open = now();
   if (brace() == Brace::restriction) return refuse(SyntaxFault::condition_alone, open.text);
+  if (open.bracket == U'[') return list();
   ++at_;
-  if (open.bracket == U'[') ask(open, SyntaxFault::ask_brackets);
   if (is(TokenKind::number) && tokens_[at_ + 1].kind == TokenKind::close &&
       now().text.find(',') != std::string::npos)
     ask(open, SyntaxFault::ask_point, now().text);

@@ -26,6 +26,7 @@ struct Relation {
 /// What a text contains besides what is drawn.
 struct Definitions {
   std::vector<Parameter> parameters;
+  std::vector<NamedList> lists;
   std::vector<SyntaxError> questions;
 };
 
@@ -114,8 +115,12 @@ class Parser {
   /// The value of a parameter, or a call f(x), f'(x).
   Parsed named();
   Parsed parameter_value(const std::string& letter);
+  /// "a = [1, 2, 3]": notes the letter, once. @return what stands for it in an expression.
+  Parsed named_list(const Definition& d, const Expression& typed);
+  /// Of a function whose value is a list, the slope of each element.
+  static Expression slope_of(const Expression& e, Variable v);
   /// In the order of the text, not of their first use.
-  void sort_parameters();
+  void sort_definitions();
   /// Takes "a = 2" and "0 <= a <= 3". @return whether it did.
   tl::expected<bool, SyntaxError> take_parameter();
 
@@ -137,6 +142,8 @@ class Parser {
   Parsed operand();
   Parsed bars();
   Parsed group();
+  /// What stands in square brackets: a list, or parentheses around one expression with a variable.
+  Parsed list();
   Parsed function_call();
   Parsed bare_argument();
   tl::expected<std::vector<Expression>, SyntaxError> argument_list();

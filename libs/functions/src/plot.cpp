@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algebra.h"
+#include "lists.h"
 #include "nazori/base/utf8.h"
 #include "nazori/functions/curve_kinds.h"
 #include "parser.h"
@@ -45,6 +46,7 @@ class Reader {
  public:
   tl::expected<Plot, SyntaxError> run(const std::vector<Relation>& typed, Definitions definitions) {
     plot_.parameters = std::move(definitions.parameters);
+    plot_.lists = std::move(definitions.lists);
     plot_.questions = std::move(definitions.questions);
     std::vector<Relation> relations;
     for (const Relation& r : typed) {
@@ -75,6 +77,8 @@ class Reader {
       return tl::unexpected(
           SyntaxError{plot_.statements[kMostStatements].column, SyntaxFault::too_many_statements});
     }
+    if (auto expanded = expand_lists(plot_, kMostStatements); !expanded)
+      return tl::unexpected(std::move(expanded.error()));
     return std::move(plot_);
   }
 
@@ -92,6 +96,8 @@ class Reader {
     s.from = number(0);
     s.to = binary(NodeKind::multiply, number(2), constant(Constant::pi));
     if (range == nullptr) return {};
+    if (std::any_of(range->terms.begin(), range->terms.end(), has_list))
+      return refuse(*range, SyntaxFault::list_misplaced);
     const bool mirrored = falls(range->comparisons[0]);
     s.from = range->terms[mirrored ? 2 : 0];
     s.to = range->terms[mirrored ? 0 : 2];
@@ -399,17 +405,20 @@ std::string canonical(const Statement& typed) {
 std::string canonical(const Plot& plot) {
   std::string text;
   const Statement* before = nullptr;
-  for (const Statement& s : plot.statements) {
+  for (const Statement& one : plot.statements) {
+    if (one.element > 0) continue;
+    const Statement& s = one.typed ? *one.typed : one;
     const bool regions =
         before != nullptr && before->kind == StatementKind::inequality && s.kind == StatementKind::inequality;
     text += (text.empty() ? "" : regions ? " or " : "; ") + canonical(s);
-    before = &s;
+    before = &one;
   }
   for (const Parameter& p : plot.parameters) {
     text += "; " + p.name + " = " + to_text(number(p.value));
     if (p.range_given)
       text += "; " + to_text(number(p.from)) + " <= " + p.name + " <= " + to_text(number(p.to));
   }
+  for (const NamedList& l : plot.lists) text += "; " + l.name + " = " + to_text(l.typed);
   return text;
 }
 

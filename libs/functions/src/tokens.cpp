@@ -149,6 +149,13 @@ class Tokenizer {
       case U':':
         push(TokenKind::colon, 1);
         return {};
+      case U'…':
+        push(TokenKind::dots, 1);
+        return {};
+      case U'.':
+        if (peek(1) != U'.') break;
+        push(TokenKind::dots, peek(2) == U'.' ? 3 : 2);
+        return {};
       case U'∧':
         push(TokenKind::both, 1);
         return {};
@@ -214,7 +221,9 @@ class Tokenizer {
     if (kind == TokenKind::open) {
       const bool arguments = !tokens_.empty() && tokens_.back().kind == TokenKind::function &&
                              takes_several(tokens_.back().function);
-      argument_lists_.push_back(arguments || (c == U'{' && are_cases()));
+      // In a list a comma separates, also in the parentheses right inside it: [1,2], [(1,2), (3,4)].
+      const bool is_listed = c == U'[' || (c == U'(' && !tokens_.empty() && tokens_.back().bracket == U'[');
+      argument_lists_.push_back(arguments || is_listed || (c == U'{' && are_cases()));
     } else if (!argument_lists_.empty()) {
       argument_lists_.pop_back();
     }
@@ -258,6 +267,8 @@ class Tokenizer {
       if (is_digit(c)) {
         digits += static_cast<char>(c);
         decimals += fraction ? 1 : 0;
+      } else if (c == U'.' && peek(length + 1) == U'.') {
+        break;  // 1...5
       } else if (c == U'.' || (c == U',' && is_digit(peek(length + 1)) && !separates(length))) {
         if (fraction) {
           return SyntaxError{static_cast<int>(at_ + length) + 1, SyntaxFault::two_decimal_signs};

@@ -35,6 +35,7 @@ enum class TokenKind : std::uint8_t {
   either,  ///< "or"
   degree,  ///< the raised circle
   prime,   ///< of a derivative; `value` counts them
+  dots,    ///< "..." of a range: [1...5]
   name,    ///< of a parameter or a function of the text: Token::text
   end
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,8 +50,19 @@ struct Statement {
   bool range_given = false;  ///< false: the default 0 to 2 pi is used
   int column = 1;            ///< where it starts in the text
   std::string name{};        ///< of f(x) = ...: "f"; else empty
-  bool is_point = false;     ///< of parametric: typed as (1, 2), a single point
+  bool is_point = false;     ///< of parametric: typed as (1, 2), or as several points ([1, 3], [2, 4])
+  /// Where lists were typed: the statement with its lists, of which this is one curve. Else null.
+  std::shared_ptr<const Statement> typed{};
+  int element = 0;   ///< the place of this curve among those of `typed`, from 0
+  int elements = 1;  ///< curves that `typed` stands for
 };
+
+/// The points of a statement that is_point, each x and y without variables; none of another statement.
+struct TypedPoint {
+  Expression x;
+  Expression y;
+};
+[[nodiscard]] std::vector<TypedPoint> typed_points(const Statement& statement);
 
 /// A number with a name, "a = 2", that a slider can change: "0 <= a <= 3".
 struct Parameter {
@@ -61,10 +73,18 @@ struct Parameter {
   bool range_given = false;  ///< false: -10 to 10, or further if the value is
 };
 
+/// A letter that stands for a list: "a = [1, 2, 3]".
+struct NamedList {
+  std::string name;
+  Expression typed;  ///< without its name
+  [[nodiscard]] std::vector<double> values() const;
+};
+
 /// The content of one line of text: one or several statements. Immutable after parse(); thread-safe.
 struct Plot {
   std::vector<Statement> statements;
   std::vector<Parameter> parameters{};
+  std::vector<NamedList> lists{};
   /// What can be read in two ways, with the reading that was taken: 1e3 is 1*e*3.
   std::vector<SyntaxError> questions{};
   [[nodiscard]] bool is_surface() const {
@@ -85,7 +105,9 @@ struct ParseOptions {
 /// A brace behind an expression restricts it, y = x^2 {0 <= x <= 2}; a brace with colons is cases, of which
 /// the first whose condition holds is taken: {x < 0: -x, x >= 0: x}. "and" joins conditions and inequalities,
 /// "or" separates inequalities. f(x) = a x^2 defines a function, a = 2 a parameter, 0 <= a <= 3 its range;
-/// f'(x) is the derivative.
+/// f'(x) is the derivative. A list, y = [1, 2] x, stands for one curve with each element; two lists go
+/// together element by element, as far as the shortest one reaches. ([1, 2], [3, 4]) is the points (1, 3) and
+/// (2, 4).
 /// @param text  UTF-8 of at most 10,000 bytes, Unicode signs and full-width forms allowed.
 [[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {});
 

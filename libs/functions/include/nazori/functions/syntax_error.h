@@ -62,9 +62,14 @@ enum class SyntaxFault : std::uint8_t {
   two_equations,                ///< joined by "and"
   choice_in_region,             ///< "or" in the braces of an inequality
   point_not_two_numbers,
-  not_equal,   ///< subject is the sign
-  list,        ///< square brackets around several values
-  line_break,  ///< between two parts that would be multiplied, before subject
+  not_equal,  ///< subject is the sign
+  list,       ///< square brackets around points
+  list_in_list,
+  list_leads_nowhere,  ///< the numbers of [1...5]
+  list_misplaced,      ///< where a single number must be
+  too_many_elements,   ///< of a list
+  too_many_curves,     ///< of all lists of a text
+  line_break,          ///< between two parts that would be multiplied, before subject
   // Questions: what can be read in two ways. They do not stop reading.
   ask_exponent,  ///< subject is a number such as 1e3
   ask_point,     ///< subject is a number with a comma, alone in parentheses
