@@ -42,6 +42,16 @@ Value point_json(const functions::PointOfInterest& p, functions::Language langua
   return point;
 }
 
+Value fit_json(const functions::Fit& fit) {
+  Value letters = Value::array();
+  for (const functions::FittedLetter& l : fit.letters)
+    letters.push_back(Value{{"name", l.name}, {"value", l.value}});
+  return {{"letters", std::move(letters)},
+          {"points", fit.points},
+          {"residual_sum", fit.residual_sum},
+          {"r_squared", number_or_null(fit.r_squared)}};
+}
+
 Value statement_json(const functions::Statement& s, functions::Language language,
                      functions::SpeechStyle style) {
   const std::size_t points = functions::typed_points(s).size();
@@ -53,10 +63,9 @@ Value statement_json(const functions::Statement& s, functions::Language language
                      {"braille",
                       {{"nemeth", functions::in_braille(s, functions::BrailleCode::nemeth)},
                        {"ueb", functions::in_braille(s, functions::BrailleCode::ueb)}}}};
-  if (s.typed) {
-    statement["typed"] = functions::canonical(*s.typed);
-    statement["element"] = s.element + 1;
-  }
+  if (s.typed) statement["typed"] = functions::canonical(*s.typed);
+  if (s.typed && !s.fit) statement["element"] = s.element + 1;
+  if (s.fit) statement["fit"] = fit_json(*s.fit);
   return statement;
 }
 

@@ -105,11 +105,13 @@ void BrailleWriter::write(const Expression& e, bool followed, bool follows_opera
 void BrailleWriter::comparison(Comparison c) {
   const BrailleSigns& s = cells_.signs();
   const std::array<std::string_view, 5> signs{s.equals, s.less, s.less_equal, s.greater, s.greater_equal};
+  if (c == Comparison::both) return sign(braille_word("and"));
+  sign(signs[static_cast<std::size_t>(c)]);
+}
+
+void BrailleWriter::sign(std::string_view cells) {
   cells_.space();
-  if (c == Comparison::both)
-    cells_.put(braille_word("and"));
-  else
-    cells_.put(signs[static_cast<std::size_t>(c)]);
+  cells_.put(cells);
   cells_.space();
 }
 

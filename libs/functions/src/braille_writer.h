@@ -21,6 +21,8 @@ class BrailleWriter {
   /// @param followed  something follows in the same product: an argument needs its parentheses.
   void write(const Expression& e, bool followed = false, bool follows_operation = false);
   void comparison(Comparison c);
+  /// A sign of comparison, with a space on both sides.
+  void sign(std::string_view cells);
   void condition(const Node& n);
   void braced(const Expression& condition_of);
 

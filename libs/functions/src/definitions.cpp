@@ -7,6 +7,7 @@
 #include "algebra.h"
 #include "derivative.h"
 #include "lists.h"
+#include "model.h"
 #include "parser.h"
 
 namespace nazori::functions {
@@ -107,6 +108,12 @@ Parser::Definition* Parser::definition(const std::string& letter) {
   return found != named_.end() ? &*found : nullptr;
 }
 
+Parser::ParameterRange* Parser::range_of(const std::string& letter) {
+  const auto found = std::find_if(ranges_.begin(), ranges_.end(),
+                                  [&letter](const ParameterRange& r) { return r.letter == letter; });
+  return found != ranges_.end() ? &*found : nullptr;
+}
+
 Parser::Parsed Parser::body_of(Definition& d) {
   if (d.state == Definition::State::read) return d.body;
   if (d.state == Definition::State::reading)
@@ -114,6 +121,7 @@ Parser::Parsed Parser::body_of(Definition& d) {
   d.state = Definition::State::reading;
   const std::size_t here = std::exchange(at_, d.start);
   const int bars_outside = std::exchange(open_bars_, 0);
+  const bool was_in_model = std::exchange(in_model_, false);
   Parsed body = sum();
   if (!body) return body;
   auto conditions = restrictions();
@@ -130,6 +138,7 @@ Parser::Parsed Parser::body_of(Definition& d) {
   d.end = at_;
   at_ = here;
   open_bars_ = bars_outside;
+  in_model_ = was_in_model;
   d.state = Definition::State::read;
   d.body = *body;
   return body;
@@ -152,11 +161,10 @@ tl::expected<Parameter, SyntaxError> Parser::read_parameter(const std::string& l
     p.from = std::min(-kDefaultReach, p.value);
     p.to = std::max(kDefaultReach, p.value);
   }
-  const auto range = std::find_if(ranges_.begin(), ranges_.end(),
-                                  [&letter](const ParameterRange& r) { return r.letter == letter; });
-  if (d == nullptr && range == ranges_.end())
+  ParameterRange* const range = range_of(letter);
+  if (d == nullptr && range == nullptr)
     return tl::unexpected(SyntaxError{now().column, SyntaxFault::unknown_name, letter});
-  if (range != ranges_.end()) {
+  if (range != nullptr) {
     if (std::exchange(range->is_being_read, true))
       return tl::unexpected(
           SyntaxError{tokens_[range->start].column, SyntaxFault::defined_by_itself, letter});
@@ -204,6 +212,10 @@ Parser::Parsed Parser::named() {
   const Token name = now();
   ++at_;
   Definition* const d = definition(name.text);
+  if (d == nullptr && range_of(name.text) == nullptr) {
+    if (in_model_) return free_letter(name.text);
+    return tl::unexpected(SyntaxError{name.column, SyntaxFault::unknown_name, name.text});
+  }
   if (d == nullptr || !d->is_function) return parameter_value(name.text);
   int primes = 0;
   for (; is(TokenKind::prime); ++at_) primes += static_cast<int>(now().value);
@@ -248,9 +260,7 @@ tl::expected<bool, SyntaxError> Parser::take_parameter() {
   const Definition* const d = definition(range->letter);
   if (d != nullptr && d->is_function) return refuse(SyntaxFault::range_misplaced);
   // Of two ranges for one letter only the first was read.
-  const auto first = std::find_if(ranges_.begin(), ranges_.end(),
-                                  [&range](const ParameterRange& r) { return r.letter == range->letter; });
-  if (first != range) return refuse(SyntaxFault::defined_twice, range->letter);
+  if (range_of(range->letter) != &*range) return refuse(SyntaxFault::defined_twice, range->letter);
   if (auto p = read_parameter(range->letter); !p) return tl::unexpected(p.error());
   at_ = range->end;
   return true;
@@ -259,9 +269,7 @@ tl::expected<bool, SyntaxError> Parser::take_parameter() {
 void Parser::sort_definitions() {
   const auto place = [this](const std::string& name) {
     if (const Definition* const d = definition(name)) return d->start;
-    const auto range = std::find_if(ranges_.begin(), ranges_.end(),
-                                    [&name](const ParameterRange& r) { return r.letter == name; });
-    return range->start;
+    return range_of(name)->start;
   };
   const auto in_order = [&place](const auto& a, const auto& b) { return place(a.name) < place(b.name); };
   std::sort(definitions_.parameters.begin(), definitions_.parameters.end(), in_order);

@@ -63,6 +63,7 @@ tl::expected<void, SyntaxError> Parser::check_lines() const {
       case TokenKind::power:
       case TokenKind::comma:
       case TokenKind::dots:
+      case TokenKind::tilde:
       case TokenKind::comparison:
       case TokenKind::semicolon:
       case TokenKind::colon:
@@ -184,6 +185,7 @@ tl::expected<Relation, SyntaxError> Parser::chain() {
     if (!first) return tl::unexpected(std::move(first.error()));
     r.terms.push_back(std::move(*first));
   }
+  if (is(TokenKind::tilde)) return model(std::move(r));
   while (is(TokenKind::comparison)) {
     r.comparisons.push_back(now().comparison);
     ++at_;
@@ -201,6 +203,20 @@ tl::expected<Relation, SyntaxError> Parser::chain() {
     for (Expression& e : r.terms) e = substitute(e, *local, variable(Variable::x));
     for (Expression& e : r.conditions) e = substitute(e, *local, variable(Variable::x));
   }
+  return r;
+}
+
+tl::expected<Relation, SyntaxError> Parser::model(Relation r) {
+  ++at_;
+  in_model_ = true;
+  auto right = sum();
+  in_model_ = false;
+  if (!right) return tl::unexpected(std::move(right.error()));
+  auto conditions = restrictions();
+  if (!conditions) return tl::unexpected(std::move(conditions.error()));
+  r.is_model = true;
+  r.terms.push_back(std::move(*right));
+  r.conditions = std::move(*conditions);
   return r;
 }
 

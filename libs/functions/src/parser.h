@@ -21,6 +21,7 @@ struct Relation {
   bool either = false;                   ///< "or" stands before it, not ";"
   std::string name{};                    ///< of f(x) = ...: "f"
   bool is_point = false;                 ///< (1, 2): terms are x and y
+  bool is_model = false;                 ///< y ~ a x + b: terms are both sides
 };
 
 /// What a text contains besides what is drawn.
@@ -82,6 +83,8 @@ class Parser {
 
   tl::expected<Relation, SyntaxError> relation();
   tl::expected<Relation, SyntaxError> chain();
+  /// What stands behind "~".
+  tl::expected<Relation, SyntaxError> model(Relation r);
   /// Whether a parenthesis with a comma, (1, 2), starts here and is all there is.
   [[nodiscard]] bool starts_point() const;
   tl::expected<Relation, SyntaxError> point();
@@ -109,6 +112,8 @@ class Parser {
   tl::expected<void, SyntaxError> find_definitions();
   void note_range(std::size_t start, std::size_t end);
   [[nodiscard]] Definition* definition(const std::string& letter);
+  /// The first range of a letter, or null.
+  [[nodiscard]] ParameterRange* range_of(const std::string& letter);
   /// Reads what stands behind "=", the first time that it is needed.
   Parsed body_of(Definition& d);
   tl::expected<Parameter, SyntaxError> read_parameter(const std::string& letter);
@@ -154,6 +159,7 @@ class Parser {
   std::size_t at_ = 0;
   int depth_ = 0;
   int open_bars_ = 0;
+  bool in_model_ = false;
   std::vector<Definition> named_;
   std::vector<ParameterRange> ranges_;
   Definitions definitions_;

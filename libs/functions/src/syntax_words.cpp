@@ -104,6 +104,22 @@ SyntaxWords english(const SyntaxError& e) {
               "write one inequality for each case, with \"or\" between them"};
     case SyntaxFault::point_not_two_numbers:
       return {"a point consists of two numbers", "expected (1, 2)"};
+    case SyntaxFault::model_form:
+      return {"a model cannot be read",
+              "expected y ~ and an expression in x and letters, such as y ~ a x + b"};
+    case SyntaxFault::no_letter:
+      return {"the model has no letter to fit", "expected something like y ~ a x + b"};
+    case SyntaxFault::too_few_points:
+      return {fmt::format("a model with {} letter{} cannot be fitted to {} point{}", e.wanted,
+                          e.wanted == 1 ? "" : "s", e.number, e.number == 1 ? "" : "s"),
+              fmt::format("expected at least {}, such as (1, 2), (3, 4)", e.wanted)};
+    case SyntaxFault::letters_undetermined:
+      return {"the points do not determine the letters of the model",
+              "expected fewer letters, or points with other x"};
+    case SyntaxFault::model_undefined:
+      return {"the model has no value at x = " + e.subject, "expected a model with a value at every point"};
+    case SyntaxFault::fit_not_found:
+      return {"no values were found with which the model fits the points", "expected a simpler model"};
     case SyntaxFault::not_equal:
       return {"what should " + quoted + " draw? Points that are not on the curve fill the plane",
               "write y = x for the curve, or y < x or y > x for both sides"};
@@ -230,6 +246,20 @@ SyntaxWords japanese(const SyntaxError& e) {
       return {"不等式の条件に「or」は使えません", "場合ごとに不等式を書き、間に「or」を置いてください"};
     case SyntaxFault::point_not_two_numbers:
       return {"点は2つの数で書きます", "「(1, 2)」のように書いてください"};
+    case SyntaxFault::model_form:
+      return {"近似式が読めません", "「y ~ a x + b」のように、x と文字の式を書いてください"};
+    case SyntaxFault::no_letter:
+      return {"近似式に、値を求める文字がありません", "「y ~ a x + b」のように書いてください"};
+    case SyntaxFault::too_few_points:
+      return {fmt::format("文字が {} 個の近似式に対して、点が {} 個しかありません", e.wanted, e.number),
+              fmt::format("{} 個以上の点が必要です", e.wanted)};
+    case SyntaxFault::letters_undetermined:
+      return {"これらの点では近似式の文字の値が決まりません", "文字を減らすか、x の違う点を加えてください"};
+    case SyntaxFault::model_undefined:
+      return {fmt::format("近似式は x = {} で値がありません", e.subject),
+              "すべての点で値がある近似式にしてください"};
+    case SyntaxFault::fit_not_found:
+      return {"近似式に合う値が見つかりません", "もっと簡単な近似式にしてください"};
     case SyntaxFault::not_equal:
       return {quoted + "では何をかきますか。等しくない点は平面全体に広がります",
               "曲線は「y = x」、両側の領域は「y < x or y > x」と書いてください"};

@@ -60,6 +60,9 @@ char32_t plain(char32_t c) {
       return U'θ';
     case U'、':
       return U',';
+    case U'∼':
+    case U'〜':
+      return U'~';
     default:
       return c;
   }
@@ -148,6 +151,9 @@ class Tokenizer {
         return {};
       case U':':
         push(TokenKind::colon, 1);
+        return {};
+      case U'~':
+        push(TokenKind::tilde, 1);
         return {};
       case U'…':
         push(TokenKind::dots, 1);
@@ -388,8 +394,13 @@ class Tokenizer {
     for (const auto& n : kFunctions) consider(n.text);
     for (const auto& n : kVariables) consider(n.text);
     for (const auto& n : kConstants) consider(n.text);
-    if (defined_.contains(rest[0])) consider(rest.substr(0, 1));
+    if (defined_.contains(rest[0]) || (is_in_model() && can_be_defined(rest[0]))) consider(rest.substr(0, 1));
     return best;
+  }
+
+  [[nodiscard]] bool is_in_model() const {
+    return std::any_of(defined_.models.begin(), defined_.models.end(),
+                       [this](const auto& m) { return at_ >= m.first && at_ < m.second; });
   }
 
   bool cut(std::u32string_view run, std::size_t from, std::vector<std::size_t>& cuts,

@@ -13,7 +13,7 @@
 namespace nazori::functions {
 namespace {
 
-constexpr std::array<std::string_view, 69> kWords{"x",
+constexpr std::array<std::string_view, 73> kWords{"x",
                                                   "y",
                                                   "z",
                                                   "t",
@@ -81,14 +81,18 @@ constexpr std::array<std::string_view, 69> kWords{"x",
                                                   "...",
                                                   "c = [1, 2, 3]",
                                                   "c",
-                                                  "([1, 2], [3, 4])"};
+                                                  "([1, 2], [3, 4])",
+                                                  "~",
+                                                  "y ~ a x + b",
+                                                  "y ~ ",
+                                                  "a e^(b x)"};
 
 /// Half of the texts begin as something that can be read, so that the deeper rules are reached.
 std::string text(std::mt19937& random) {
   const auto below = [&random](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
   };
-  constexpr std::array<std::string_view, 10> kStarts{"y = x {",
+  constexpr std::array<std::string_view, 12> kStarts{"y = x {",
                                                      "y = {x<0: ",
                                                      "f(x) = a x^2; a = 2; ",
                                                      "y > x and ",
@@ -97,7 +101,9 @@ std::string text(std::mt19937& random) {
                                                      "x^2 + y^2 = 4 {",
                                                      "x = cos(t); y = sin(t) {",
                                                      "c = [1, 2, 3]; y = c",
-                                                     "y = [1, 2] x + "};
+                                                     "y = [1, 2] x + ",
+                                                     "([1, 2, 3], [2, 4, 7]); y ~ ",
+                                                     "(1, 2), (2, 3); y ~ a x + "};
   std::string all;
   if (below(2) == 0) all = kStarts[below(kStarts.size())];
   const std::size_t words = 1 + below(4);

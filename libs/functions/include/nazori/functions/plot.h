@@ -3,12 +3,14 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "nazori/base/result.h"
 #include "nazori/functions/expression.h"
+#include "nazori/functions/fit.h"
 #include "nazori/functions/syntax_error.h"
 
 namespace nazori::functions {
@@ -51,7 +53,11 @@ struct Statement {
   int column = 1;            ///< where it starts in the text
   std::string name{};        ///< of f(x) = ...: "f"; else empty
   bool is_point = false;     ///< of parametric: typed as (1, 2), or as several points ([1, 3], [2, 4])
-  /// Where lists were typed: the statement with its lists, of which this is one curve. Else null.
+  bool is_data = false;      ///< of points: measured ones, which are not part of the text
+  bool is_model = false;     ///< y ~ a x + b before it is fitted: terms[0] has letters without values
+  /// What a model was fitted to; null where no model was typed.
+  std::shared_ptr<const Fit> fit{};
+  /// Where lists or a model were typed: the statement as typed, of which this is one curve. Else null.
   std::shared_ptr<const Statement> typed{};
   int element = 0;   ///< the place of this curve among those of `typed`, from 0
   int elements = 1;  ///< curves that `typed` stands for
@@ -108,8 +114,12 @@ struct ParseOptions {
 /// f'(x) is the derivative. A list, y = [1, 2] x, stands for one curve with each element; two lists go
 /// together element by element, as far as the shortest one reaches. ([1, 2], [3, 4]) is the points (1, 3) and
 /// (2, 4).
+/// y ~ a x + b is a model: its letters without a definition get the values with which it fits the points of
+/// the text and of `data` best.
 /// @param text  UTF-8 of at most 10,000 bytes, Unicode signs and full-width forms allowed.
-[[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {});
+/// @param data  measured points that are drawn, too.
+[[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {},
+                                                    std::span<const DataPoint> data = {});
 
 /// The text with the value of a parameter replaced or, where it has only a range, added.
 /// @return nothing where `text` cannot be read or has no such parameter, or the value is not finite.
