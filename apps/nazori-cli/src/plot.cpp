@@ -289,9 +289,7 @@ void add_plot(CLI::App& app, Action& chosen) {
           "expression", s->expression,
           "y = tan(x), x^2 + y^2 = 1, y > x^2, x = cos(t); y = sin(t); 0 <= t <= pi, r = 1 + cos(theta), "
           "z = sin(x)cos(y), y = {x<0: -x, x>=0: x}, y = x^2 {0<=x<=2}, f(x) = a x^2; a = 2; y = f'(x), "
-          "(1, 2), y = [1, 2, 3] x, a = [1...5]; y = a x, (1, 2), (2, 4), (3, 5); y ~ a x + b; several "
-          "curves "
-          "separated by ;")
+          "y = [1, 2, 3] x, (1, 2), ([1, 2, 3], [2, 4, 5]); y ~ a x + b; several curves separated by ;")
       ->required();
   verb->add_option("--window", s->window, "Visible range of the plane (default: -10,10,-10,10)")
       ->delimiter(',')
@@ -365,7 +363,7 @@ void add_plot(CLI::App& app, Action& chosen) {
       "Examples:\n  nazori-cli plot 'y = tan(x); y = 1' --window=-6,6,-4,4 --output tan.png --points\n"
       "  nazori-cli plot 'r = 1 + cos(theta)' --window=-1,3,-2,2 --sound heart.wav --json\n"
       "  nazori-cli plot 'y ~ a x + b' --data measured.csv\n"
-      "  nazori-cli plot '([0, 1, 2], [1, 2, 4]); y ~ a e^(b x)'");
+      "  nazori-cli plot '([0, 1, 2], [1, 2, 5]); y ~ a e^(b x)'");
   verb->callback([s, &chosen] { chosen = [s](Console& console) { return run(console, *s); }; });
 }
 

@@ -7,7 +7,7 @@
 #include "algebra.h"
 #include "derivative.h"
 #include "lists.h"
-#include "model.h"
+#include "regression_model.h"
 #include "parser.h"
 
 namespace nazori::functions {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "least_squares.h"
-#include "model.h"
+#include "regression_model.h"
 #include "restricted_statement.h"
 
 namespace nazori::functions {
@@ -58,7 +58,7 @@ SyntaxError refusal(const Statement& s, const LeastSquares& best) {
 
 tl::expected<Statement, SyntaxError> fitted(const Statement& typed, const std::vector<DataPoint>& all) {
   const auto [plain, conditions] = without_conditions(typed);
-  const Model model(plain.terms[0]);
+  const RegressionModel model(plain.terms[0]);
   const auto refuse = [&typed](SyntaxFault fault) {
     return tl::unexpected(SyntaxError{typed.column, fault});
   };

@@ -57,7 +57,7 @@ std::optional<Column<T>> solve(Matrix<T> a, const Column<T>& b, T least_share) {
 template <class T>
 class LinearPart {
  public:
-  LinearPart(const Model& model, std::span<const DataPoint> points)
+  LinearPart(const RegressionModel& model, std::span<const DataPoint> points)
       : model_(model),
         points_(points),
         a_(static_cast<Eigen::Index>(points.size()), static_cast<Eigen::Index>(model.linear().size())),
@@ -99,7 +99,7 @@ class LinearPart {
   }
 
  private:
-  const Model& model_;
+  const RegressionModel& model_;
   std::span<const DataPoint> points_;
   Matrix<T> a_;
   Column<T> b_;
@@ -114,7 +114,7 @@ class Residuals {
  public:
   using Slope = Dual<double, 1>;
 
-  Residuals(const Model& model, std::span<const DataPoint> points)
+  Residuals(const RegressionModel& model, std::span<const DataPoint> points)
       : model_(model),
         points_(points),
         inputs_(1 + model.letters().size()),
@@ -150,7 +150,7 @@ class Residuals {
     return registers_[model_.whole().output(0)];
   }
 
-  const Model& model_;
+  const RegressionModel& model_;
   std::span<const DataPoint> points_;
   std::vector<Slope> inputs_;
   std::vector<Slope> registers_;
@@ -200,7 +200,7 @@ std::vector<std::vector<double>> combinations(const std::vector<double>& values,
   return all;
 }
 
-LeastSquares fit_linear(const Model& model, std::span<const DataPoint> points) {
+LeastSquares fit_linear(const RegressionModel& model, std::span<const DataPoint> points) {
   LeastSquares best;
   LinearPart<long double> part(model, points);
   const auto values = part.solve_with({}, kLeastShare);
@@ -213,7 +213,7 @@ LeastSquares fit_linear(const Model& model, std::span<const DataPoint> points) {
 
 class Search {
  public:
-  Search(const Model& model, std::span<const DataPoint> points) : model_(model), points_(points) {}
+  Search(const RegressionModel& model, std::span<const DataPoint> points) : model_(model), points_(points) {}
 
   LeastSquares run() {
     const std::vector<Start> starts = best_starts();
@@ -243,8 +243,8 @@ class Search {
     return size(a) < size(b);
   }
 
-  /// The best combination with each value of the first nonlinear letter: neighbours of the very best one would
-  /// all lead to the same solution.
+  /// The best combination with each value of the first nonlinear letter: neighbours of the very best one
+  /// would all lead to the same solution.
   std::vector<Start> best_starts() {
     const std::vector<DataPoint> some = thinned(points_);
     LinearPart<double> part(model_, some);
@@ -261,9 +261,8 @@ class Search {
     for (auto& [first, start] : best) {
       if (std::isfinite(start.residual_sum)) starts.push_back(std::move(start));
     }
-    std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
-      return a.residual_sum < b.residual_sum;
-    });
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Start& a, const Start& b) { return a.residual_sum < b.residual_sum; });
     starts.resize(std::min(kImproved, starts.size()));
     return starts;
   }
@@ -310,7 +309,7 @@ class Search {
     return solve<double>(slopes, Column<double>::Zero(residuals.values()), kLeastSlopeShare).has_value();
   }
 
-  const Model& model_;
+  const RegressionModel& model_;
   std::span<const DataPoint> points_;
   std::optional<double> undefined_at_;
 };
@@ -334,7 +333,7 @@ std::vector<double> starts_for(std::span<const DataPoint> points) {
   return starts;
 }
 
-LeastSquares fit(const Model& model, std::span<const DataPoint> points) {
+LeastSquares fit(const RegressionModel& model, std::span<const DataPoint> points) {
   LeastSquares best = model.nonlinear().empty() ? fit_linear(model, points) : Search(model, points).run();
   double largest = 0;
   for (const DataPoint& p : points) largest = std::max(largest, std::abs(p.y));

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "model.h"
 #include "nazori/functions/fit.h"
+#include "regression_model.h"
 
 namespace nazori::functions {
 
@@ -30,7 +30,7 @@ struct LeastSquares {
 /// letters are searched from a fixed set of starts, each improved by the method of Levenberg and Marquardt.
 /// The same input always gives the same result.
 /// @param points  at least as many as letters.
-[[nodiscard]] LeastSquares fit(const Model& model, std::span<const DataPoint> points);
+[[nodiscard]] LeastSquares fit(const RegressionModel& model, std::span<const DataPoint> points);
 
 /// Values to start the search for a nonlinear letter from: rates, frequencies and places that suit the
 /// points.

@@ -8,7 +8,7 @@
 
 #include "algebra.h"
 #include "lists.h"
-#include "model.h"
+#include "regression_model.h"
 #include "nazori/base/utf8.h"
 #include "nazori/functions/curve_kinds.h"
 #include "parser.h"

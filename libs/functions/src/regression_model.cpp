@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model.h"
+#include "regression_model.h"
 
 #include <algorithm>
 #include <array>
@@ -105,7 +105,7 @@ bool is_free_letter(const Node& n) {
   return n.kind == NodeKind::number && !n.name.empty() && std::isnan(n.value);
 }
 
-Model::Model(Expression typed) : typed_(std::move(typed)) {
+RegressionModel::RegressionModel(Expression typed) : typed_(std::move(typed)) {
   collect(typed_, letters_);
   Letters linear;
   for (std::size_t i = 0; i < letters_.size(); ++i) {
@@ -135,7 +135,7 @@ Model::Model(Expression typed) : typed_(std::move(typed)) {
   terms_ = Tape::compile(parts, searched);
 }
 
-Expression Model::with_values(const std::vector<double>& values) const {
+Expression RegressionModel::with_values(const std::vector<double>& values) const {
   return replaced(typed_, [&](const std::string& name) {
     const auto at = std::find(letters_.begin(), letters_.end(), name) - letters_.begin();
     const double value = values[static_cast<std::size_t>(at)] + 0.0;  // no negative zero

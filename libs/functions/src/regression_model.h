@@ -20,9 +20,9 @@ namespace nazori::functions {
 ///
 /// Some letters are linear: with the other ones given, the model is a sum of terms, each with one of them as
 /// its factor. Those are found by solving linear equations, so that only the other ones have to be searched.
-class Model {
+class RegressionModel {
  public:
-  explicit Model(Expression typed);
+  explicit RegressionModel(Expression typed);
 
   /// All letters, in the order in which they were typed.
   [[nodiscard]] const std::vector<std::string>& letters() const { return letters_; }
