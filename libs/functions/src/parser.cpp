@@ -162,7 +162,10 @@ void Parser::skip_definition_head() {
                     kind(1) == TokenKind::open && kind(2) == TokenKind::variable &&
                     (named || tokens_[at_ + 2].variable == Variable::x) && kind(3) == TokenKind::close &&
                     kind(4) == TokenKind::comparison;
-  if (fits && (!named || is_function_head(tokens_.subspan(at_)))) at_ += 3;
+  // In a model every letter is a name, not only those with a definition.
+  const bool is_defined =
+      named && is_function_head(tokens_.subspan(at_)) && definition(now().text) != nullptr;
+  if (fits && (!named || is_defined)) at_ += 3;
 }
 
 /// Terms with the comparisons between them.

@@ -246,6 +246,7 @@ TEST(Fits, MistakesAreNamedWithTheirColumn) {
       {"(1, 2); y ~ a x {x < b}", F::unknown_name, 22},
       {"(1, 2); y ~ a x; y = a", F::unknown_name, 22},
       {"(1, 2); y ~", F::operand_missing, 12},
+      {"(1, 2), f(x) = x ~ a", F::unknown_name, 9},
       {"(1, 2); y = a ~ x", F::unknown_name, 13},
   };
   for (const Mistake& m : mistakes) {
