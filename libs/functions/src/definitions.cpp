@@ -195,7 +195,7 @@ tl::expected<Parameter, SyntaxError> Parser::read_parameter(const std::string& l
 Parser::Parsed Parser::parameter_value(const std::string& letter) {
   Definition* const d = definition(letter);
   if (d != nullptr) {
-    const Parsed body = body_of(*d);
+    Parsed body = body_of(*d);
     if (!body) return body;
     if (has_list(*body)) return named_list(*d, *body);
   }

@@ -273,9 +273,9 @@ class Tokenizer {
       if (is_digit(c)) {
         digits += static_cast<char>(c);
         decimals += fraction ? 1 : 0;
-      } else if (c == U'.' && peek(length + 1) == U'.') {
-        break;  // 1...5
-      } else if (c == U'.' || (c == U',' && is_digit(peek(length + 1)) && !separates(length))) {
+        // The points of 1...5 are no decimal point.
+      } else if ((c == U'.' && peek(length + 1) != U'.') ||
+                 (c == U',' && is_digit(peek(length + 1)) && !separates(length))) {
         if (fraction) {
           return SyntaxError{static_cast<int>(at_ + length) + 1, SyntaxFault::two_decimal_signs};
         }
