@@ -14,6 +14,7 @@
 #include "json_answers.h"
 #include "nazori/exchange/plots.h"
 #include "nazori/functions/braille.h"
+#include "nazori/functions/data_points.h"
 #include "nazori/functions/plate.h"
 #include "nazori/functions/points.h"
 #include "nazori/functions/print_picture.h"
@@ -48,6 +49,7 @@ struct PlotSettings {
   std::string language = "en";
   std::string speech = "verbose";
   std::vector<std::string> values;
+  std::string data;
   std::string braille;
   std::vector<double> table;
   bool points = false;
@@ -104,13 +106,20 @@ base::Result<void> set_parameter(PlotSettings& s, const std::string& assignment)
 }
 
 base::Result<functions::Plot> read(PlotSettings& s) {
+  std::vector<functions::DataPoint> data;
+  if (!s.data.empty()) {
+    auto points = functions::load_data_points(s.data, s.decimal_comma);
+    if (!points) return tl::unexpected(std::move(points.error()));
+    data = std::move(*points);
+  }
   // A text that cannot be read is refused for what is wrong in it, not for what it does not define.
-  if (auto typed = functions::parse(s.expression, {s.decimal_comma}); !typed)
-    return tl::unexpected(typed.error().to_error());
+  auto plot = functions::parse(s.expression, {s.decimal_comma}, data);
+  if (!plot) return tl::unexpected(plot.error().to_error());
+  if (s.values.empty()) return std::move(*plot);
   for (const std::string& assignment : s.values) {
     if (auto done = set_parameter(s, assignment); !done) return tl::unexpected(std::move(done.error()));
   }
-  auto plot = functions::parse(s.expression, {s.decimal_comma});
+  plot = functions::parse(s.expression, {s.decimal_comma}, data);
   if (!plot) return tl::unexpected(plot.error().to_error());
   return std::move(*plot);
 }
@@ -178,6 +187,12 @@ base::Result<std::string> table_text(const functions::Plot& plot, const PlotSett
       text += fmt::format("  {}\t{}\n", shown(row.x), shown(row.y));
   }
   return text;
+}
+
+/// What was typed, without the data of a file.
+std::string typed_text(functions::Plot plot) {
+  std::erase_if(plot.statements, [](const functions::Statement& s) { return s.is_data; });
+  return functions::canonical(plot);
 }
 
 double ms_since(Clock::time_point start) {
@@ -250,7 +265,7 @@ int run(Console& console, PlotSettings s) {
     console.print(to_text(std::move(answer)));
     return kDone;
   }
-  console.print(functions::canonical(*plot) + "\n" +
+  console.print(typed_text(*plot) + "\n" +
                 functions::summary(*plot, picture->tracing, points, language, style) + "\n");
   if (!s.braille.empty())
     console.print(functions::in_braille(*plot, s.braille == "ueb" ? functions::BrailleCode::ueb
@@ -274,7 +289,7 @@ void add_plot(CLI::App& app, Action& chosen) {
           "expression", s->expression,
           "y = tan(x), x^2 + y^2 = 1, y > x^2, x = cos(t); y = sin(t); 0 <= t <= pi, r = 1 + cos(theta), "
           "z = sin(x)cos(y), y = {x<0: -x, x>=0: x}, y = x^2 {0<=x<=2}, f(x) = a x^2; a = 2; y = f'(x), "
-          "(1, 2); several curves separated by ;")
+          "y = [1, 2, 3] x, (1, 2), ([1, 2, 3], [2, 4, 5]); y ~ a x + b; several curves separated by ;")
       ->required();
   verb->add_option("--window", s->window, "Visible range of the plane (default: -10,10,-10,10)")
       ->delimiter(',')
@@ -322,6 +337,11 @@ void add_plot(CLI::App& app, Action& chosen) {
   verb->add_option("--set", s->values, "Value of a parameter of the expression: --set a=1.5")
       ->allow_extra_args(false)
       ->type_name("LETTER=NUMBER");
+  verb->add_option(
+          "--data", s->data,
+          "Measured points, drawn and fitted by models such as y ~ a x + b: a CSV file with the columns x "
+          "and y")
+      ->type_name("FILE");
   verb->add_option("--table", s->table, "Table of values of each curve: x (or its parameter) from, to, step")
       ->delimiter(',')
       ->expected(3)
@@ -341,7 +361,9 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->type_name("verbose|brief|superbrief");
   verb->footer(
       "Examples:\n  nazori-cli plot 'y = tan(x); y = 1' --window=-6,6,-4,4 --output tan.png --points\n"
-      "  nazori-cli plot 'r = 1 + cos(theta)' --window=-1,3,-2,2 --sound heart.wav --json");
+      "  nazori-cli plot 'r = 1 + cos(theta)' --window=-1,3,-2,2 --sound heart.wav --json\n"
+      "  nazori-cli plot 'y ~ a x + b' --data measured.csv\n"
+      "  nazori-cli plot '([0, 1, 2], [1, 2, 5]); y ~ a e^(b x)'");
   verb->callback([s, &chosen] { chosen = [s](Console& console) { return run(console, *s); }; });
 }
 

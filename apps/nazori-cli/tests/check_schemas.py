@@ -230,6 +230,8 @@ class Schemas(unittest.TestCase):
     def test_plots(self):
         self.answer("plots#plot", "plot", "y = tan(x); y = 1", "--window=-6,6,-4,4", "--size", "64")
         self.answer("plots#plot", "plot", "z = sin(x)cos(y)", "--size", "64")
+        self.answer("plots#plot", "plot", "a = [1...3]; y = a x; ([1, 2, 3], [2, 4, 5]); y ~ b x + c", "--size", "64")
+        self.answer("plots#plot", "plot", "([1, 2], 5); y ~ m", "--size", "64")
         # A file that the window saves; a test of libs/functions compares it with what is written.
         with open(os.path.join(SCHEMAS, "../../libs/functions/tests/fixtures/plot.json"), encoding="utf-8") as text:
             self.check("plots#plot_file", json.load(text))

@@ -104,6 +104,48 @@ TEST(Plot, RefusesHeightsOutOfOrderAndFilesOfOtherKindsWithoutWriting) {
   }
 }
 
+TEST(Plot, FitsAModelToTheDataOfAFile) {
+  const TemporaryFolder folder;
+  write(folder / "data.csv", "x,y\n1,3\n2,5\n4,9\n");
+  const Outcome run =
+      nazori_cli({"plot", "y ~ a x + b", "--data", folder / "data.csv", "--size", "64", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto document = nlohmann::json::parse(run.out);
+  const auto& fit = document["statements"][0]["fit"];
+  EXPECT_NEAR(fit["letters"][0]["value"].get<double>(), 2, 1e-14);
+  EXPECT_NEAR(fit["letters"][1]["value"].get<double>(), 1, 1e-14);
+  EXPECT_EQ(fit["points"], 3);
+  EXPECT_EQ(document["statements"][0]["typed"], "y ~ a*x + b");
+  EXPECT_EQ(document["statements"][1]["kind"], "points");
+  // What was typed is not followed by all the points.
+  const Outcome text = nazori_cli({"plot", "y ~ a x + b", "--data", folder / "data.csv", "--size", "64"});
+  EXPECT_THAT(text.out, testing::StartsWith("y ~ a*x + b\n"));
+  EXPECT_THAT(text.out, HasSubstr("R squared is 1"));
+}
+
+TEST(Plot, NamesTheLineOfWrongDataInOneLine) {
+  const TemporaryFolder folder;
+  write(folder / "data.csv", "x,y\n1,3\n2\n");
+  const Outcome run = nazori_cli({"plot", "y ~ a x", "--data", folder / "data.csv"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("data.csv: line 3"));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+  EXPECT_NE(nazori_cli({"plot", "y ~ a x", "--data", folder / "none.csv"}).code, 0);
+}
+
+TEST(Plot, JsonHasTheListAndEachOfItsCurves) {
+  const Outcome run = nazori_cli({"plot", "a = [1, 2]; y = a x", "--size", "64", "--json", "--table=0,1,1"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto document = nlohmann::json::parse(run.out);
+  EXPECT_EQ(document["canonical"], "y = a*x; a = [1, 2]");
+  ASSERT_EQ(document["statements"].size(), 2U);
+  EXPECT_EQ(document["statements"][1]["canonical"], "y = 2*x");
+  EXPECT_EQ(document["statements"][1]["typed"], "y = a*x");
+  EXPECT_EQ(document["statements"][1]["element"], 2);
+  EXPECT_EQ(document["lists"][0]["values"][1], 2.0);
+  EXPECT_EQ(document["tables"][1][1][1], 2.0);
+}
+
 TEST(Plot, RefusesAnEmptyWindow) {
   const Outcome run = nazori_cli({"plot", "y = x", "--window=2,1,0,1"});
   EXPECT_EQ(run.code, 2);

@@ -42,6 +42,40 @@ Value point_json(const functions::PointOfInterest& p, functions::Language langua
   return point;
 }
 
+Value fit_json(const functions::Fit& fit) {
+  Value letters = Value::array();
+  for (const functions::FittedLetter& l : fit.letters)
+    letters.push_back(Value{{"name", l.name}, {"value", l.value}});
+  return {{"letters", std::move(letters)},
+          {"points", fit.points},
+          {"residual_sum", fit.residual_sum},
+          {"r_squared", number_or_null(fit.r_squared)}};
+}
+
+Value statement_json(const functions::Statement& s, functions::Language language,
+                     functions::SpeechStyle style) {
+  const std::size_t points = functions::typed_points(s).size();
+  Value statement = {{"kind", points == 0   ? kind_name(s.kind)
+                              : points == 1 ? "point"
+                                            : "points"},
+                     {"canonical", functions::canonical(s)},
+                     {"words", functions::in_words(s, language, style)},
+                     {"braille",
+                      {{"nemeth", functions::in_braille(s, functions::BrailleCode::nemeth)},
+                       {"ueb", functions::in_braille(s, functions::BrailleCode::ueb)}}}};
+  if (s.typed) statement["typed"] = functions::canonical(*s.typed);
+  if (s.typed && !s.fit) statement["element"] = s.element + 1;
+  if (s.fit) statement["fit"] = fit_json(*s.fit);
+  return statement;
+}
+
+Value lists_json(const functions::Plot& plot) {
+  Value lists = Value::array();
+  for (const functions::NamedList& l : plot.lists)
+    lists.push_back(Value{{"name", l.name}, {"values", l.values()}});
+  return lists;
+}
+
 }  // namespace
 
 Value to_json(const functions::Plot& plot, const functions::Picture& picture,
@@ -49,12 +83,7 @@ Value to_json(const functions::Plot& plot, const functions::Picture& picture,
               functions::Language language, functions::SpeechStyle style) {
   Value statements = Value::array();
   for (const functions::Statement& s : plot.statements) {
-    statements.push_back(Value{{"kind", s.is_point ? "point" : kind_name(s.kind)},
-                               {"canonical", functions::canonical(s)},
-                               {"words", functions::in_words(s, language, style)},
-                               {"braille",
-                                {{"nemeth", functions::in_braille(s, functions::BrailleCode::nemeth)},
-                                 {"ueb", functions::in_braille(s, functions::BrailleCode::ueb)}}}});
+    statements.push_back(statement_json(s, language, style));
   }
   Value list = Value::array();
   for (const auto& p : points) list.push_back(point_json(p, language, style));
@@ -76,6 +105,7 @@ Value to_json(const functions::Plot& plot, const functions::Picture& picture,
       {"size", picture.plate.heights.size()},
       {"statements", std::move(statements)},
       {"parameters", std::move(parameters)},
+      {"lists", lists_json(plot)},
       {"questions", std::move(questions)},
       {"points", std::move(list)},
       {"pieces", functions::pieces(plot, t)},

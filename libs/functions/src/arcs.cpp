@@ -8,6 +8,26 @@
 
 namespace nazori::functions {
 
+namespace {
+
+/// Each point is an arc without length. Its parameter is its number, which tells it from the others.
+std::vector<Arc> arcs_of_points(const Statement& s) {
+  std::vector<Arc> arcs;
+  for (const TypedPoint& p : typed_points(s)) {
+    Arc arc;
+    arc.x = p.x;
+    arc.y = p.y;
+    arc.parameter = Variable::t;
+    arc.from = static_cast<double>(arcs.size());
+    arc.to = arc.from + 1;
+    arc.ends_are_real = true;
+    arcs.push_back(std::move(arc));
+  }
+  return arcs;
+}
+
+}  // namespace
+
 std::optional<Arc> arc_of(const Statement& s, const Window& w, double m) {
   const CurveKind& kind = curve_kind(s.kind);
   if (kind.course == nullptr) return std::nullopt;
@@ -31,6 +51,7 @@ std::optional<Arc> arc_of(const Statement& s, const Window& w, double m) {
 }
 
 std::vector<Arc> arcs_of(const Statement& s, const Window& window, double margin) {
+  if (s.is_point) return arcs_of_points(s);
   if (auto arc = arc_of(s, window, margin)) return {std::move(*arc)};
   if (curve_kind(s.kind).drawn_by != DrawnBy::polar_equation) return {};
   const Expression whole = reduced(binary(NodeKind::subtract, s.terms[0], s.terms[1]));

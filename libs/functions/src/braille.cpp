@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/functions/braille.h"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -18,6 +20,23 @@ std::string finished(BrailleWriter writer, BrailleCode code) {
   return code == BrailleCode::ueb ? "⠰⠰⠰" + text + "⠰⠄" : text;
 }
 
+/// A line "a = 2".
+std::string definition(const std::string& letter, const Expression& value, BrailleCode code) {
+  BrailleWriter writer(code);
+  writer.cells().put_letters(braille_word(letter));
+  writer.comparison(Comparison::equal);
+  writer.write(value);
+  return "\n" + finished(std::move(writer), code);
+}
+
+/// What was found for the letters of a model, with four digits.
+std::string lines_of(const Fit& fit, BrailleCode code) {
+  std::string text;
+  for (const FittedLetter& l : fit.letters)
+    text += definition(l.name, number(std::stod(fmt::format("{:.4g}", l.value))), code);
+  return text;
+}
+
 }  // namespace
 
 std::string in_braille(const Expression& expression, BrailleCode code) {
@@ -27,6 +46,7 @@ std::string in_braille(const Expression& expression, BrailleCode code) {
 }
 
 std::string in_braille(const Statement& typed, BrailleCode code) {
+  if (typed.fit) return in_braille(*typed.typed, code) + lines_of(*typed.fit, code);
   BrailleWriter writer(code);
   BrailleCells& cells = writer.cells();
   const auto [s, conditions] = without_conditions(typed);
@@ -49,7 +69,10 @@ std::string in_braille(const Statement& typed, BrailleCode code) {
     } else if (kind.left[0]) {
       if (i > 0) cells.comma(false);
       writer.write(variable(*kind.left[i]));
-      writer.comparison(Comparison::equal);
+      if (s.is_model)
+        writer.sign(cells.signs().tilde);
+      else
+        writer.comparison(Comparison::equal);
     } else if (i > 0) {
       writer.comparison(s.comparisons[i - 1]);
     }
@@ -72,14 +95,12 @@ std::string in_braille(const Statement& typed, BrailleCode code) {
 
 std::string in_braille(const Plot& plot, BrailleCode code) {
   std::string text;
-  for (const Statement& s : plot.statements) text += (text.empty() ? "" : "\n") + in_braille(s, code);
-  for (const Parameter& p : plot.parameters) {
-    BrailleWriter writer(code);
-    writer.cells().put_letters(braille_word(p.name));
-    writer.comparison(Comparison::equal);
-    writer.write(number(p.value));
-    text += "\n" + finished(std::move(writer), code);
+  for (const Statement& s : plot.statements) {
+    if (s.element > 0 || s.is_data) continue;
+    text += (text.empty() ? "" : "\n") + in_braille(s.typed && !s.fit ? *s.typed : s, code);
   }
+  for (const Parameter& p : plot.parameters) text += definition(p.name, number(p.value), code);
+  for (const NamedList& l : plot.lists) text += definition(l.name, l.typed, code);
   return text;
 }
 

@@ -16,6 +16,7 @@ struct BrailleSigns {
   std::string_view open_floor, close_floor, open_ceiling, close_ceiling;
   std::string_view comma, colon, decimal, factorial;
   std::string_view pi, tau, theta, gamma;
+  std::string_view open_list, close_list, ellipsis, tilde;
 };
 
 /// A lower case letter from a to z.

@@ -45,7 +45,8 @@ bool is_whole_number(const Expression& e) {
 }
 bool is_atom(const Expression& e) {
   return (e->kind == NodeKind::number && (e->value >= 0 || !e->name.empty())) ||
-         e->kind == NodeKind::constant || e->kind == NodeKind::variable;
+         e->kind == NodeKind::constant || e->kind == NodeKind::variable ||
+         (e->kind == NodeKind::function && is_list(e->function));
 }
 
 /// How deeply fractions lie in each other, without those in exponents (§ 66 to § 68).
@@ -104,11 +105,13 @@ void BrailleWriter::write(const Expression& e, bool followed, bool follows_opera
 void BrailleWriter::comparison(Comparison c) {
   const BrailleSigns& s = cells_.signs();
   const std::array<std::string_view, 5> signs{s.equals, s.less, s.less_equal, s.greater, s.greater_equal};
+  if (c == Comparison::both) return sign(braille_word("and"));
+  sign(signs[static_cast<std::size_t>(c)]);
+}
+
+void BrailleWriter::sign(std::string_view cells) {
   cells_.space();
-  if (c == Comparison::both)
-    cells_.put(braille_word("and"));
-  else
-    cells_.put(signs[static_cast<std::size_t>(c)]);
+  cells_.put(cells);
   cells_.space();
 }
 
@@ -302,6 +305,20 @@ void BrailleWriter::cases(const Node& n) {
   write(n.arguments[2]);
 }
 
+void BrailleWriter::list(const Node& n) {
+  if (!n.name.empty()) return cells_.put_letters(braille_word(n.name));
+  cells_.put(cells_.signs().open_list);
+  for (std::size_t i = 0; i < n.arguments.size(); ++i) {
+    if (i > 0) cells_.comma(true);
+    if (n.function == Function::range && i + 1 == n.arguments.size()) {
+      cells_.put(cells_.signs().ellipsis);
+      cells_.comma(true);
+    }
+    write(n.arguments[i]);
+  }
+  cells_.put(cells_.signs().close_list);
+}
+
 void BrailleWriter::between(std::string_view open, const Expression& e, std::string_view close) {
   cells_.put(open);
   write(e);
@@ -354,6 +371,9 @@ void BrailleWriter::function(const Node& n, bool followed) {
           between("⠣", a[0], "⠜");
       }
       return argument(a[1], followed);
+    case Function::list:
+    case Function::range:
+      return list(n);
     case Function::where:
     case Function::choose:
       cells_.put(s.open_brace);

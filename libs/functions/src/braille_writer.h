@@ -21,6 +21,8 @@ class BrailleWriter {
   /// @param followed  something follows in the same product: an argument needs its parentheses.
   void write(const Expression& e, bool followed = false, bool follows_operation = false);
   void comparison(Comparison c);
+  /// A sign of comparison, with a space on both sides.
+  void sign(std::string_view cells);
   void condition(const Node& n);
   void braced(const Expression& condition_of);
 
@@ -44,6 +46,8 @@ class BrailleWriter {
   void argument(const Expression& e, bool followed);
   void radical(const Expression& inside, const Expression& index);
   void cases(const Node& n);
+  /// [1, 2, 3]; of a range [1, 3, ..., 9].
+  void list(const Node& n);
   void between(std::string_view open, const Expression& e, std::string_view close);
   void function(const Node& n, bool followed);
 

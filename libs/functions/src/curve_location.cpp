@@ -55,7 +55,7 @@ double parameter_at(const Branch& branch, const CurvePlace& place) {
 
 std::optional<CurvePosition> position_of(const Statement& s, double parameter) {
   const CurveKind& kind = curve_kind(s.kind);
-  if (kind.course == nullptr) return std::nullopt;
+  if (kind.course == nullptr || s.is_point) return std::nullopt;
   using Slope = Dual<double, 1>;
   const Course course = kind.course(s);
   const std::array<Expression, 2> outputs{course.x, course.y};

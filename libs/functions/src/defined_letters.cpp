@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::u32string_view kTaken = U"xyztre";  // variables, and e
 
-bool can_be_defined(char32_t c) {
-  return c >= U'a' && c <= U'z' && kTaken.find(c) == std::u32string_view::npos;
-}
-
 bool is_sign(char32_t c) { return c == U'<' || c == U'>' || c == U'≤' || c == U'≥'; }
 
 /// One part of the text without its spaces.
@@ -40,16 +36,23 @@ void scan(std::u32string_view part, DefinedLetters& found) {
 
 }  // namespace
 
+bool can_be_defined(char32_t c) {
+  return c >= U'a' && c <= U'z' && kTaken.find(c) == std::u32string_view::npos;
+}
+
 DefinedLetters defined_letters(std::u32string_view text) {
   DefinedLetters found;
   std::u32string part;
   int depth = 0;
+  std::size_t start = 0;
   for (std::size_t i = 0; i <= text.size(); ++i) {
     const char32_t c = i < text.size() ? text[i] : U';';
     if (c == U'(' || c == U'[' || c == U'{') ++depth;
     if (c == U')' || c == U']' || c == U'}') depth = std::max(0, depth - 1);
     if (i == text.size() || (c == U';' && depth == 0)) {
       scan(part, found);
+      if (part.find(U'~') != std::u32string::npos) found.models.emplace_back(start, i);
+      start = i + 1;
       part.clear();
     } else if (c != U' ' && c != U'\t' && c != 0x3000) {
       part += c;

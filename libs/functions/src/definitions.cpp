@@ -6,6 +6,8 @@
 
 #include "algebra.h"
 #include "derivative.h"
+#include "lists.h"
+#include "regression_model.h"
 #include "parser.h"
 
 namespace nazori::functions {
@@ -106,6 +108,12 @@ Parser::Definition* Parser::definition(const std::string& letter) {
   return found != named_.end() ? &*found : nullptr;
 }
 
+Parser::ParameterRange* Parser::range_of(const std::string& letter) {
+  const auto found = std::find_if(ranges_.begin(), ranges_.end(),
+                                  [&letter](const ParameterRange& r) { return r.letter == letter; });
+  return found != ranges_.end() ? &*found : nullptr;
+}
+
 Parser::Parsed Parser::body_of(Definition& d) {
   if (d.state == Definition::State::read) return d.body;
   if (d.state == Definition::State::reading)
@@ -113,6 +121,7 @@ Parser::Parsed Parser::body_of(Definition& d) {
   d.state = Definition::State::reading;
   const std::size_t here = std::exchange(at_, d.start);
   const int bars_outside = std::exchange(open_bars_, 0);
+  const bool was_in_model = std::exchange(in_model_, false);
   Parsed body = sum();
   if (!body) return body;
   auto conditions = restrictions();
@@ -129,6 +138,7 @@ Parser::Parsed Parser::body_of(Definition& d) {
   d.end = at_;
   at_ = here;
   open_bars_ = bars_outside;
+  in_model_ = was_in_model;
   d.state = Definition::State::read;
   d.body = *body;
   return body;
@@ -144,17 +154,17 @@ tl::expected<Parameter, SyntaxError> Parser::read_parameter(const std::string& l
   if (d != nullptr) {
     const Parsed body = body_of(*d);
     if (!body) return tl::unexpected(body.error());
+    if (has_list(*body)) return tl::unexpected(SyntaxError{d->column, SyntaxFault::list_misplaced, letter});
     p.value = constant_value(*body);
     if (!std::isfinite(p.value))
       return tl::unexpected(SyntaxError{d->column, SyntaxFault::not_a_number, letter});
     p.from = std::min(-kDefaultReach, p.value);
     p.to = std::max(kDefaultReach, p.value);
   }
-  const auto range = std::find_if(ranges_.begin(), ranges_.end(),
-                                  [&letter](const ParameterRange& r) { return r.letter == letter; });
-  if (d == nullptr && range == ranges_.end())
+  ParameterRange* const range = range_of(letter);
+  if (d == nullptr && range == nullptr)
     return tl::unexpected(SyntaxError{now().column, SyntaxFault::unknown_name, letter});
-  if (range != ranges_.end()) {
+  if (range != nullptr) {
     if (std::exchange(range->is_being_read, true))
       return tl::unexpected(
           SyntaxError{tokens_[range->start].column, SyntaxFault::defined_by_itself, letter});
@@ -183,9 +193,14 @@ tl::expected<Parameter, SyntaxError> Parser::read_parameter(const std::string& l
 }
 
 Parser::Parsed Parser::parameter_value(const std::string& letter) {
+  Definition* const d = definition(letter);
+  if (d != nullptr) {
+    Parsed body = body_of(*d);
+    if (!body) return body;
+    if (has_list(*body)) return named_list(*d, *body);
+  }
   const auto p = read_parameter(letter);
   if (!p) return tl::unexpected(p.error());
-  Definition* const d = definition(letter);
   if (d == nullptr) return parameter(letter, p->value, true);
   const auto rational = rational_value(d->body);
   // pi/2 stays what it is: as a double it would not be a quarter turn.
@@ -197,6 +212,10 @@ Parser::Parsed Parser::named() {
   const Token name = now();
   ++at_;
   Definition* const d = definition(name.text);
+  if (d == nullptr && range_of(name.text) == nullptr) {
+    if (in_model_) return free_letter(name.text);
+    return tl::unexpected(SyntaxError{name.column, SyntaxFault::unknown_name, name.text});
+  }
   if (d == nullptr || !d->is_function) return parameter_value(name.text);
   int primes = 0;
   for (; is(TokenKind::prime); ++at_) primes += static_cast<int>(now().value);
@@ -216,7 +235,7 @@ Parser::Parsed Parser::named() {
   if (!body) return body;
   Expression e = *body;
   for (int i = 0; i < primes; ++i) {
-    e = slope_where_defined(e, d->variable);
+    e = slope_of(e, d->variable);
     if (!e) return tl::unexpected(SyntaxError{name.column, SyntaxFault::no_derivative, name.text});
   }
   const std::size_t size = count_up_to((*arguments)[0], kMostParts);
@@ -231,7 +250,7 @@ tl::expected<bool, SyntaxError> Parser::take_parameter() {
     Definition* const d = definition(letter);
     if (d == nullptr || d->is_function || d->start != at_ + 2)
       return refuse(SyntaxFault::defined_twice, letter);
-    if (auto p = read_parameter(letter); !p) return tl::unexpected(p.error());
+    if (auto value = parameter_value(letter); !value) return tl::unexpected(value.error());
     at_ = d->end;
     return true;
   }
@@ -241,28 +260,26 @@ tl::expected<bool, SyntaxError> Parser::take_parameter() {
   const Definition* const d = definition(range->letter);
   if (d != nullptr && d->is_function) return refuse(SyntaxFault::range_misplaced);
   // Of two ranges for one letter only the first was read.
-  const auto first = std::find_if(ranges_.begin(), ranges_.end(),
-                                  [&range](const ParameterRange& r) { return r.letter == range->letter; });
-  if (first != range) return refuse(SyntaxFault::defined_twice, range->letter);
+  if (range_of(range->letter) != &*range) return refuse(SyntaxFault::defined_twice, range->letter);
   if (auto p = read_parameter(range->letter); !p) return tl::unexpected(p.error());
   at_ = range->end;
   return true;
 }
 
-void Parser::sort_parameters() {
-  const auto place = [this](const Parameter& p) {
-    if (const Definition* const d = definition(p.name)) return d->start;
-    const auto range = std::find_if(ranges_.begin(), ranges_.end(),
-                                    [&p](const ParameterRange& r) { return r.letter == p.name; });
-    return range->start;
+void Parser::sort_definitions() {
+  const auto place = [this](const std::string& name) {
+    if (const Definition* const d = definition(name)) return d->start;
+    return range_of(name)->start;
   };
-  std::sort(definitions_.parameters.begin(), definitions_.parameters.end(),
-            [&place](const Parameter& a, const Parameter& b) { return place(a) < place(b); });
+  const auto in_order = [&place](const auto& a, const auto& b) { return place(a.name) < place(b.name); };
+  std::sort(definitions_.parameters.begin(), definitions_.parameters.end(), in_order);
+  std::sort(definitions_.lists.begin(), definitions_.lists.end(), in_order);
 }
 
 std::optional<std::array<int, 2>> Parser::value_columns(const std::string& letter) {
   const Definition* const d = definition(letter);
   if (d == nullptr || d->is_function || d->state != Definition::State::read) return std::nullopt;
+  if (has_list(d->body)) return std::nullopt;
   return std::array{tokens_[d->start].column, tokens_[d->end].column};
 }
 

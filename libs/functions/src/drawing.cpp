@@ -14,7 +14,12 @@ constexpr double kUndefinedFriction = 0.6;
 /// The summary of one statement alone does not mention the others.
 Plot summarised_plot(const PlotRequest& request) {
   if (request.plate.alone < 0) return request.plot;
-  return {{request.plot.statements[static_cast<std::size_t>(request.plate.alone)]}};
+  Plot alone{{request.plot.statements[static_cast<std::size_t>(request.plate.alone)]}};
+  // One curve of a list is told as itself, not as what was typed.
+  Statement& shown = alone.statements.front();
+  if (shown.elements > 1) shown.typed = nullptr;
+  shown.element = 0;
+  return alone;
 }
 
 std::vector<TabletCurve> grooves_of(const Picture& picture) {

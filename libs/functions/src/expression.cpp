@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::int64_t kMostRational = 1'000'000'000'000;
 
-constexpr std::array<std::string_view, 51> kFunctionNames{
-    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",  "acos",  "atan",  "acot",  "sinh",
-    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh", "atanh", "exp",   "ln",    "log",
-    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",  "floor", "ceil",  "round", "trunc",
-    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",   "atan2", "hypot", "<",     "<=",
-    ">",    ">=",    "=",         "and",  "or",   "where", "choose"};
+constexpr std::array<std::string_view, 53> kFunctionNames{
+    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",   "acos",  "atan",  "acot",  "sinh",
+    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh",  "atanh", "exp",   "ln",    "log",
+    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",   "floor", "ceil",  "round", "trunc",
+    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",    "atan2", "hypot", "<",     "<=",
+    ">",    ">=",    "=",         "and",  "or",   "where", "choose", "list",  "range"};
 
 std::string wrapped(const Expression& e, int least) {
   std::string text = to_text(e);
@@ -308,6 +308,18 @@ std::string cases_text(const Node& n) {
   return text + ", " + (more ? cases_text(rest) : to_text(n.arguments[2]));
 }
 
+/// [1, 2, 3], [1, 3...9]
+std::string list_text(const Node& n) {
+  if (!n.name.empty()) return n.name;
+  std::string text = "[";
+  for (std::size_t i = 0; i < n.arguments.size(); ++i) {
+    const bool is_last = i + 1 == n.arguments.size();
+    if (i > 0) text += n.function == Function::range && is_last ? "..." : ", ";
+    text += to_text(n.arguments[i]);
+  }
+  return text + "]";
+}
+
 }  // namespace
 
 std::string to_text(const Expression& e) {
@@ -343,6 +355,7 @@ std::string to_text(const Expression& e) {
   }
   if (is_condition(n.function)) return condition_text(n);
   if (n.function == Function::where || n.function == Function::choose) return "{" + cases_text(n) + "}";
+  if (is_list(n.function)) return list_text(n);
   if (n.function == Function::abs) return fmt::format("|{}|", to_text(n.arguments[0]));
   if (n.function == Function::factorial) return wrapped(n.arguments[0], 5) + "!";
   std::string text(name_of(n.function));

@@ -48,7 +48,7 @@ tl::expected<std::vector<Relation>, SyntaxError> Parser::run() {
   if (relations.empty()) {
     return refuse(SyntaxFault::no_expression);
   }
-  sort_parameters();
+  sort_definitions();
   return relations;
 }
 
@@ -62,6 +62,8 @@ tl::expected<void, SyntaxError> Parser::check_lines() const {
       case TokenKind::divide:
       case TokenKind::power:
       case TokenKind::comma:
+      case TokenKind::dots:
+      case TokenKind::tilde:
       case TokenKind::comparison:
       case TokenKind::semicolon:
       case TokenKind::colon:
@@ -160,7 +162,10 @@ void Parser::skip_definition_head() {
                     kind(1) == TokenKind::open && kind(2) == TokenKind::variable &&
                     (named || tokens_[at_ + 2].variable == Variable::x) && kind(3) == TokenKind::close &&
                     kind(4) == TokenKind::comparison;
-  if (fits && (!named || is_function_head(tokens_.subspan(at_)))) at_ += 3;
+  // In a model every letter is a name, not only those with a definition.
+  const bool is_defined =
+      named && is_function_head(tokens_.subspan(at_)) && definition(now().text) != nullptr;
+  if (fits && (!named || is_defined)) at_ += 3;
 }
 
 /// Terms with the comparisons between them.
@@ -183,6 +188,7 @@ tl::expected<Relation, SyntaxError> Parser::chain() {
     if (!first) return tl::unexpected(std::move(first.error()));
     r.terms.push_back(std::move(*first));
   }
+  if (is(TokenKind::tilde)) return model(std::move(r));
   while (is(TokenKind::comparison)) {
     r.comparisons.push_back(now().comparison);
     ++at_;
@@ -200,6 +206,20 @@ tl::expected<Relation, SyntaxError> Parser::chain() {
     for (Expression& e : r.terms) e = substitute(e, *local, variable(Variable::x));
     for (Expression& e : r.conditions) e = substitute(e, *local, variable(Variable::x));
   }
+  return r;
+}
+
+tl::expected<Relation, SyntaxError> Parser::model(Relation r) {
+  ++at_;
+  in_model_ = true;
+  auto right = sum();
+  in_model_ = false;
+  if (!right) return tl::unexpected(std::move(right.error()));
+  auto conditions = restrictions();
+  if (!conditions) return tl::unexpected(std::move(conditions.error()));
+  r.is_model = true;
+  r.terms.push_back(std::move(*right));
+  r.conditions = std::move(*conditions);
   return r;
 }
 
@@ -385,8 +405,8 @@ Parser::Parsed Parser::bars() {
 Parser::Parsed Parser::group() {
   const Token open = now();
   if (brace() == Brace::restriction) return refuse(SyntaxFault::condition_alone, open.text);
+  if (open.bracket == U'[') return list();
   ++at_;
-  if (open.bracket == U'[') ask(open, SyntaxFault::ask_brackets);
   if (is(TokenKind::number) && tokens_[at_ + 1].kind == TokenKind::close &&
       now().text.find(',') != std::string::npos)
     ask(open, SyntaxFault::ask_point, now().text);

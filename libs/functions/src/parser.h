@@ -21,11 +21,13 @@ struct Relation {
   bool either = false;                   ///< "or" stands before it, not ";"
   std::string name{};                    ///< of f(x) = ...: "f"
   bool is_point = false;                 ///< (1, 2): terms are x and y
+  bool is_model = false;                 ///< y ~ a x + b: terms are both sides
 };
 
 /// What a text contains besides what is drawn.
 struct Definitions {
   std::vector<Parameter> parameters;
+  std::vector<NamedList> lists;
   std::vector<SyntaxError> questions;
 };
 
@@ -81,6 +83,8 @@ class Parser {
 
   tl::expected<Relation, SyntaxError> relation();
   tl::expected<Relation, SyntaxError> chain();
+  /// What stands behind "~".
+  tl::expected<Relation, SyntaxError> model(Relation r);
   /// Whether a parenthesis with a comma, (1, 2), starts here and is all there is.
   [[nodiscard]] bool starts_point() const;
   tl::expected<Relation, SyntaxError> point();
@@ -108,14 +112,20 @@ class Parser {
   tl::expected<void, SyntaxError> find_definitions();
   void note_range(std::size_t start, std::size_t end);
   [[nodiscard]] Definition* definition(const std::string& letter);
+  /// The first range of a letter, or null.
+  [[nodiscard]] ParameterRange* range_of(const std::string& letter);
   /// Reads what stands behind "=", the first time that it is needed.
   Parsed body_of(Definition& d);
   tl::expected<Parameter, SyntaxError> read_parameter(const std::string& letter);
   /// The value of a parameter, or a call f(x), f'(x).
   Parsed named();
   Parsed parameter_value(const std::string& letter);
+  /// "a = [1, 2, 3]": notes the letter, once. @return what stands for it in an expression.
+  Parsed named_list(const Definition& d, const Expression& typed);
+  /// Of a function whose value is a list, the slope of each element.
+  static Expression slope_of(const Expression& e, Variable v);
   /// In the order of the text, not of their first use.
-  void sort_parameters();
+  void sort_definitions();
   /// Takes "a = 2" and "0 <= a <= 3". @return whether it did.
   tl::expected<bool, SyntaxError> take_parameter();
 
@@ -137,6 +147,8 @@ class Parser {
   Parsed operand();
   Parsed bars();
   Parsed group();
+  /// What stands in square brackets: a list, or parentheses around one expression with a variable.
+  Parsed list();
   Parsed function_call();
   Parsed bare_argument();
   tl::expected<std::vector<Expression>, SyntaxError> argument_list();
@@ -147,6 +159,7 @@ class Parser {
   std::size_t at_ = 0;
   int depth_ = 0;
   int open_bars_ = 0;
+  bool in_model_ = false;
   std::vector<Definition> named_;
   std::vector<ParameterRange> ranges_;
   Definitions definitions_;

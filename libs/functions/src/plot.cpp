@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "algebra.h"
+#include "lists.h"
+#include "regression_model.h"
 #include "nazori/base/utf8.h"
 #include "nazori/functions/curve_kinds.h"
 #include "parser.h"
@@ -43,8 +45,10 @@ bool is_range_of(const Relation& r, Variable v) {
 /// Turns relations into statements, one after the other.
 class Reader {
  public:
-  tl::expected<Plot, SyntaxError> run(const std::vector<Relation>& typed, Definitions definitions) {
+  tl::expected<Plot, SyntaxError> run(const std::vector<Relation>& typed, Definitions definitions,
+                                      std::span<const DataPoint> data) {
     plot_.parameters = std::move(definitions.parameters);
+    plot_.lists = std::move(definitions.lists);
     plot_.questions = std::move(definitions.questions);
     std::vector<Relation> relations;
     for (const Relation& r : typed) {
@@ -75,6 +79,9 @@ class Reader {
       return tl::unexpected(
           SyntaxError{plot_.statements[kMostStatements].column, SyntaxFault::too_many_statements});
     }
+    if (auto expanded = expand_lists(plot_, kMostStatements); !expanded)
+      return tl::unexpected(std::move(expanded.error()));
+    if (auto fitted = fit_models(plot_, data); !fitted) return tl::unexpected(std::move(fitted.error()));
     return std::move(plot_);
   }
 
@@ -92,6 +99,8 @@ class Reader {
     s.from = number(0);
     s.to = binary(NodeKind::multiply, number(2), constant(Constant::pi));
     if (range == nullptr) return {};
+    if (std::any_of(range->terms.begin(), range->terms.end(), has_list))
+      return refuse(*range, SyntaxFault::list_misplaced);
     const bool mirrored = falls(range->comparisons[0]);
     s.from = range->terms[mirrored ? 2 : 0];
     s.to = range->terms[mirrored ? 0 : 2];
@@ -110,6 +119,8 @@ class Reader {
   /// Joins what "and" joins: inequalities become one region, and beside an equation they are conditions.
   static tl::expected<Relation, SyntaxError> without_and(const Relation& typed) {
     if (typed.also.empty() && (typed.conditions.empty() || !is_chain(typed))) return typed;
+    if (typed.is_model || std::any_of(typed.also.begin(), typed.also.end(), is_model))
+      return refuse(typed, SyntaxFault::model_form);
     std::vector<const Relation*> all{&typed};
     for (const Relation& r : typed.also) all.push_back(&r);
     const Relation* main = nullptr;
@@ -136,6 +147,8 @@ class Reader {
     }
     return joined;
   }
+
+  static bool is_model(const Relation& r) { return r.is_model; }
 
   /// Comparisons that are no equation: a region.
   static bool is_chain(const Relation& r) {
@@ -196,6 +209,7 @@ class Reader {
       point.to = number(1);
       return 1;
     }
+    if (r.is_model) return model(r);
     if (is_range_of(r, Variable::t) || is_range_of(r, Variable::theta)) {
       return refuse(r, SyntaxFault::range_misplaced);
     }
@@ -209,6 +223,20 @@ class Reader {
     if (all.contains(Variable::theta) || all.contains(Variable::r)) return polar(rest, all);
     if (all.contains(Variable::z)) return surface(r);
     return plane(r);
+  }
+
+  tl::expected<std::size_t, SyntaxError> model(const Relation& r) {
+    std::vector<Expression> right = r.conditions;
+    right.push_back(r.terms[1]);
+    for (const Expression& e : right) {
+      if (has_list(e)) return refuse(r, SyntaxFault::list_misplaced);
+      for (const Variable v : variables_of(e)) {
+        if (v != Variable::x) return refuse(r, SyntaxFault::model_form);
+      }
+    }
+    if (!is_variable(r.terms[0], Variable::y)) return refuse(r, SyntaxFault::model_form);
+    add(StatementKind::explicit_y, r, {restricted(r.terms[1], r, {})}).is_model = true;
+    return 1;
   }
 
   /// @return 0 where the relations are not a parametric curve.
@@ -336,13 +364,14 @@ std::string range_text(const Statement& s, Variable v) {
 
 }  // namespace
 
-tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options) {
+tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options,
+                                      std::span<const DataPoint> data) {
   const auto tokens = tokenize(text, options);
   if (!tokens) return tl::unexpected(tokens.error());
   Parser parser(*tokens);
   const auto relations = parser.run();
   if (!relations) return tl::unexpected(relations.error());
-  auto plot = Reader().run(*relations, std::move(parser).definitions());
+  auto plot = Reader().run(*relations, std::move(parser).definitions(), data);
   if (plot && options.decimal_comma)
     std::erase_if(plot->questions, [](const SyntaxError& q) { return q.fault == SyntaxFault::ask_point; });
   return plot;
@@ -384,7 +413,7 @@ std::string canonical(const Statement& typed) {
     if (!s.name.empty())
       text += s.name + "(x) = ";
     else if (kind.left[0])
-      text += (i > 0 ? "; " : "") + std::string(name_of(*kind.left[i])) + " = ";
+      text += (i > 0 ? "; " : "") + std::string(name_of(*kind.left[i])) + (s.is_model ? " ~ " : " = ");
     else if (i > 0)
       text += sign_of(s.comparisons[i - 1]);
     // "a = x" would define the parameter again.
@@ -399,17 +428,20 @@ std::string canonical(const Statement& typed) {
 std::string canonical(const Plot& plot) {
   std::string text;
   const Statement* before = nullptr;
-  for (const Statement& s : plot.statements) {
+  for (const Statement& one : plot.statements) {
+    if (one.element > 0) continue;
+    const Statement& s = one.typed ? *one.typed : one;
     const bool regions =
         before != nullptr && before->kind == StatementKind::inequality && s.kind == StatementKind::inequality;
     text += (text.empty() ? "" : regions ? " or " : "; ") + canonical(s);
-    before = &s;
+    before = &one;
   }
   for (const Parameter& p : plot.parameters) {
     text += "; " + p.name + " = " + to_text(number(p.value));
     if (p.range_given)
       text += "; " + to_text(number(p.from)) + " <= " + p.name + " <= " + to_text(number(p.to));
   }
+  for (const NamedList& l : plot.lists) text += "; " + l.name + " = " + to_text(l.typed);
   return text;
 }
 

@@ -104,12 +104,39 @@ SyntaxWords english(const SyntaxError& e) {
               "write one inequality for each case, with \"or\" between them"};
     case SyntaxFault::point_not_two_numbers:
       return {"a point consists of two numbers", "expected (1, 2)"};
+    case SyntaxFault::model_form:
+      return {"a model cannot be read",
+              "expected y ~ and an expression in x and letters, such as y ~ a x + b"};
+    case SyntaxFault::no_letter:
+      return {"the model has no letter to fit", "expected something like y ~ a x + b"};
+    case SyntaxFault::too_few_points:
+      return {fmt::format("a model with {} letter{} cannot be fitted to {} point{}", e.wanted,
+                          e.wanted == 1 ? "" : "s", e.number, e.number == 1 ? "" : "s"),
+              fmt::format("expected at least {}, such as (1, 2), (3, 4)", e.wanted)};
+    case SyntaxFault::letters_undetermined:
+      return {"the points do not determine the letters of the model",
+              "expected fewer letters, or points with other x"};
+    case SyntaxFault::model_undefined:
+      return {"the model has no value at x = " + e.subject, "expected a model with a value at every point"};
+    case SyntaxFault::fit_not_found:
+      return {"no values were found with which the model fits the points", "expected a simpler model"};
     case SyntaxFault::not_equal:
       return {"what should " + quoted + " draw? Points that are not on the curve fill the plane",
               "write y = x for the curve, or y < x or y > x for both sides"};
     case SyntaxFault::list:
-      return {"lists in square brackets cannot be read",
-              "write each curve with \";\" between them, y = x; y = 2x, and points as (1, 2), (3, 4)"};
+      return {"a list contains numbers or expressions, not points",
+              "write points as (1, 2), (3, 4), or as ([1, 3], [2, 4])"};
+    case SyntaxFault::list_in_list:
+      return {"a list cannot contain a list", "expected numbers or expressions, [1, 2, 3]"};
+    case SyntaxFault::list_leads_nowhere:
+      return {"the numbers of the list do not lead from the first to the last in equal steps",
+              "expected something like [1...5] or [1, 3...9]"};
+    case SyntaxFault::list_misplaced:
+      return {"a list is not allowed here", "expected a single number"};
+    case SyntaxFault::too_many_elements:
+      return {"the list has more than 1000 elements", "expected fewer"};
+    case SyntaxFault::too_many_curves:
+      return {"the lists make more than 32 curves", "expected shorter lists"};
     case SyntaxFault::line_break:
       return {"does a new expression start at this line?",
               "write \";\" between two expressions, or an operator between two parts of one"};
@@ -219,12 +246,37 @@ SyntaxWords japanese(const SyntaxError& e) {
       return {"不等式の条件に「or」は使えません", "場合ごとに不等式を書き、間に「or」を置いてください"};
     case SyntaxFault::point_not_two_numbers:
       return {"点は2つの数で書きます", "「(1, 2)」のように書いてください"};
+    case SyntaxFault::model_form:
+      return {"近似式が読めません", "「y ~ a x + b」のように、x と文字の式を書いてください"};
+    case SyntaxFault::no_letter:
+      return {"近似式に、値を求める文字がありません", "「y ~ a x + b」のように書いてください"};
+    case SyntaxFault::too_few_points:
+      return {fmt::format("文字が {} 個の近似式に対して、点が {} 個しかありません", e.wanted, e.number),
+              fmt::format("{} 個以上の点が必要です", e.wanted)};
+    case SyntaxFault::letters_undetermined:
+      return {"これらの点では近似式の文字の値が決まりません", "文字を減らすか、x の違う点を加えてください"};
+    case SyntaxFault::model_undefined:
+      return {fmt::format("近似式は x = {} で値がありません", e.subject),
+              "すべての点で値がある近似式にしてください"};
+    case SyntaxFault::fit_not_found:
+      return {"近似式に合う値が見つかりません", "もっと簡単な近似式にしてください"};
     case SyntaxFault::not_equal:
       return {quoted + "では何をかきますか。等しくない点は平面全体に広がります",
               "曲線は「y = x」、両側の領域は「y < x or y > x」と書いてください"};
     case SyntaxFault::list:
-      return {"角括弧で囲んだリストは読めません",
-              "曲線は「y = x; y = 2x」のように「;」で区切り、点は「(1, 2), (3, 4)」と書いてください"};
+      return {"リストに入れられるのは数か式です。点は入れられません",
+              "点は「(1, 2), (3, 4)」か「([1, 3], [2, 4])」と書いてください"};
+    case SyntaxFault::list_in_list:
+      return {"リストの中にリストは入れられません", "「[1, 2, 3]」のように数か式を並べてください"};
+    case SyntaxFault::list_leads_nowhere:
+      return {"リストの数が、最初から最後まで等しい間隔で並びません",
+              "「[1...5]」か「[1, 3...9]」のように書いてください"};
+    case SyntaxFault::list_misplaced:
+      return {"ここにリストは置けません", "1つの数が必要です"};
+    case SyntaxFault::too_many_elements:
+      return {"リストの要素が 1000 個を超えています", "要素を減らしてください"};
+    case SyntaxFault::too_many_curves:
+      return {"リストの作る曲線が 32 本を超えています", "リストを短くしてください"};
     case SyntaxFault::line_break:
       return {"この行から新しい式が始まりますか",
               "2つの式の間には「;」を、1つの式の中なら演算記号を書いてください"};

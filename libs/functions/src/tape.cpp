@@ -134,6 +134,8 @@ class Tape::Builder {
       case NodeKind::function:
         break;
     }
+    // A list has no single value.
+    if (is_list(n.function)) return push({Op::undefined, 0, 0, 0, 1, 0, 0, 0, 0});
     if (n.function >= Function::less) return cases(n);
     const auto op = op_of(n.function);
     if (!op) return add(reduced(e));

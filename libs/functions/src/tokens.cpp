@@ -60,6 +60,9 @@ char32_t plain(char32_t c) {
       return U'θ';
     case U'、':
       return U',';
+    case U'∼':
+    case U'〜':
+      return U'~';
     default:
       return c;
   }
@@ -149,6 +152,16 @@ class Tokenizer {
       case U':':
         push(TokenKind::colon, 1);
         return {};
+      case U'~':
+        push(TokenKind::tilde, 1);
+        return {};
+      case U'…':
+        push(TokenKind::dots, 1);
+        return {};
+      case U'.':
+        if (peek(1) != U'.') break;
+        push(TokenKind::dots, peek(2) == U'.' ? 3 : 2);
+        return {};
       case U'∧':
         push(TokenKind::both, 1);
         return {};
@@ -214,7 +227,9 @@ class Tokenizer {
     if (kind == TokenKind::open) {
       const bool arguments = !tokens_.empty() && tokens_.back().kind == TokenKind::function &&
                              takes_several(tokens_.back().function);
-      argument_lists_.push_back(arguments || (c == U'{' && are_cases()));
+      // In a list a comma separates, also in the parentheses right inside it: [1,2], [(1,2), (3,4)].
+      const bool is_listed = c == U'[' || (c == U'(' && !tokens_.empty() && tokens_.back().bracket == U'[');
+      argument_lists_.push_back(arguments || is_listed || (c == U'{' && are_cases()));
     } else if (!argument_lists_.empty()) {
       argument_lists_.pop_back();
     }
@@ -258,7 +273,9 @@ class Tokenizer {
       if (is_digit(c)) {
         digits += static_cast<char>(c);
         decimals += fraction ? 1 : 0;
-      } else if (c == U'.' || (c == U',' && is_digit(peek(length + 1)) && !separates(length))) {
+        // The points of 1...5 are no decimal point.
+      } else if ((c == U'.' && peek(length + 1) != U'.') ||
+                 (c == U',' && is_digit(peek(length + 1)) && !separates(length))) {
         if (fraction) {
           return SyntaxError{static_cast<int>(at_ + length) + 1, SyntaxFault::two_decimal_signs};
         }
@@ -377,8 +394,13 @@ class Tokenizer {
     for (const auto& n : kFunctions) consider(n.text);
     for (const auto& n : kVariables) consider(n.text);
     for (const auto& n : kConstants) consider(n.text);
-    if (defined_.contains(rest[0])) consider(rest.substr(0, 1));
+    if (defined_.contains(rest[0]) || (is_in_model() && can_be_defined(rest[0]))) consider(rest.substr(0, 1));
     return best;
+  }
+
+  [[nodiscard]] bool is_in_model() const {
+    return std::any_of(defined_.models.begin(), defined_.models.end(),
+                       [this](const auto& m) { return at_ >= m.first && at_ < m.second; });
   }
 
   bool cut(std::u32string_view run, std::size_t from, std::vector<std::size_t>& cuts,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "nazori/functions/plot.h"
@@ -35,6 +36,8 @@ enum class TokenKind : std::uint8_t {
   either,  ///< "or"
   degree,  ///< the raised circle
   prime,   ///< of a derivative; `value` counts them
+  tilde,   ///< of a model: y ~ a x + b
+  dots,    ///< "..." of a range: [1...5]
   name,    ///< of a parameter or a function of the text: Token::text
   end
 };
@@ -60,10 +63,15 @@ struct Token {
 struct DefinedLetters {
   std::u32string parameters;
   std::u32string functions;
+  /// Where models stand, y ~ a x + b, from the first character to the one behind the last: there every letter
+  /// has a meaning.
+  std::vector<std::pair<std::size_t, std::size_t>> models;
   [[nodiscard]] bool contains(char32_t letter) const {
     return (parameters + functions).find(letter) != std::u32string::npos;
   }
 };
+/// Whether a letter can be given a meaning: not x, y, z, t, r and e.
+[[nodiscard]] bool can_be_defined(char32_t letter);
 /// @param text  in small letters, with one spelling for each sign.
 [[nodiscard]] DefinedLetters defined_letters(std::u32string_view text);
 

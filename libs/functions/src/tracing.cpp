@@ -52,7 +52,7 @@ class PlotTracer {
   bool draw(const Statement& s) {
     switch (curve_kind(s.kind).drawn_by) {
       case DrawnBy::course:
-        return draw(*arc_of(s, out_.window, settings_.margin));
+        return draw_arcs(s);
       case DrawnBy::polar_equation:
         return draw_polar(s);
       case DrawnBy::equation:
@@ -63,6 +63,11 @@ class PlotTracer {
         return true;
     }
     return true;
+  }
+
+  bool draw_arcs(const Statement& s) {
+    const std::vector<Arc> arcs = arcs_of(s, out_.window, settings_.margin);
+    return std::all_of(arcs.begin(), arcs.end(), [this](const Arc& arc) { return draw(arc); });
   }
 
   bool draw(const Arc& arc) { return ArcTracer(arc, statement_, settings_, out_, progress_).run(); }

@@ -9,6 +9,18 @@
 
 namespace nazori::functions {
 
+namespace {
+
+/// The points themselves, whatever the steps are.
+std::vector<ValueRow> table_of_points(const Statement& statement) {
+  std::vector<ValueRow> rows;
+  for (const TypedPoint& p : typed_points(statement))
+    rows.push_back({static_cast<double>(rows.size()), constant_value(p.x), constant_value(p.y)});
+  return rows;
+}
+
+}  // namespace
+
 base::Result<std::vector<ValueRow>> value_table(const Statement& statement, const ValueSteps& steps) {
   const CurveKind& kind = curve_kind(statement.kind);
   if (kind.course == nullptr)
@@ -19,6 +31,7 @@ base::Result<std::vector<ValueRow>> value_table(const Statement& statement, cons
   if (!(steps.step > 0) || !(count >= 0) || !(count < ValueSteps::kMostRows) || !std::isfinite(steps.from))
     return base::fail(base::Errc::bad_argument, "the steps of the table lead nowhere", "table",
                       "give a smaller number, a larger one and a step for at most 10000 rows");
+  if (statement.is_point) return table_of_points(statement);
   const Course course = kind.course(statement);
   const Tape tape = Tape::compile(std::array{course.x, course.y}, std::array{kind.parameter});
   std::vector<double> registers(tape.size());

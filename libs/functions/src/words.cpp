@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/plot.h"
 #include "restricted_statement.h"
 #include "strength.h"
+#include "words.h"
 
 namespace nazori::functions {
 namespace {
@@ -62,11 +62,6 @@ constexpr std::array<FunctionWords, 42> kFunctionWords{
      {"angle", "偏角"},
      {"hypotenuse", "斜辺"}}};
 
-std::string number_text(double v, Language language) {
-  if (v < 0) return (language == Language::english ? "minus " : "マイナス") + fmt::format("{}", -v);
-  return fmt::format("{}", v);
-}
-
 /// "third", "21st", "12th".
 std::string ordinal(int n) {
   constexpr std::array<std::string_view, 10> kSmall{"zeroth", "first", "second",  "third",  "fourth",
@@ -84,31 +79,24 @@ struct Brackets {
   std::string_view of;                            ///< between a function and its argument
   std::string_view part, part_where, end_part;    ///< around a value and its condition
   std::string_view cases, end_cases;
+  std::string_view list, end_list;
 };
 
 constexpr std::array<Brackets, 3> kEnglishBrackets{
     {{"the quantity ", " end quantity", "the fraction with numerator ", " and denominator ", " end fraction",
       " to the power of ", " end power", " of ", "the part of ", " where ", " end part", "the cases ",
-      " end cases"},
+      " end cases", "the list ", " end list"},
      {"quantity ", " end", "fraction ", " over ", " end fraction", " to the ", " end power", " of ", "part ",
-      " where ", " end part", "cases ", " end cases"},
+      " where ", " end part", "cases ", " end cases", "list ", " end list"},
      {"open ", " close", "frac ", " over ", " end frac", " to ", " end", " ", "part ", " where ", " end part",
-      "cases ", " end cases"}}};
+      "cases ", " end cases", "list ", " end list"}}};
 constexpr std::array<Brackets, 3> kJapaneseBrackets{
     {{"括弧 ", " 括弧閉じ", "分数 分母 ", " 分子 ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合分け ", " 場合分け終わり"},
+      " 部分終わり", "場合分け ", " 場合分け終わり", "リスト ", " リスト終わり"},
      {"括弧 ", " 閉じ", "分数 ", " 分の ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合分け ", " 場合分け終わり"},
+      " 部分終わり", "場合分け ", " 場合分け終わり", "リスト ", " リスト終わり"},
      {"かっこ ", " とじ", "分数 ", " 分の ", " 終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合 ", " 場合終わり"}}};
-
-std::string comparison(Comparison c, Language language) {
-  constexpr std::array<std::string_view, 6> kEnglish{" equals ",          " is less than ", " is at most ",
-                                                     " is greater than ", " is at least ",  " and "};
-  constexpr std::array<std::string_view, 6> kJapanese{" イコール ", " 小なり ",         " 小なりイコール ",
-                                                      " 大なり ",   " 大なりイコール ", " かつ "};
-  return std::string((language == Language::english ? kEnglish : kJapanese)[static_cast<std::size_t>(c)]);
-}
+      " 部分終わり", "場合 ", " 場合終わり", "リスト ", " 終わり"}}};
 
 constexpr bool is_short_form(SpeechStyle style) { return style != SpeechStyle::verbose; }
 
@@ -128,7 +116,7 @@ class Speaker {
     const auto& a = n.arguments;
     switch (n.kind) {
       case NodeKind::number:
-        return n.name.empty() ? number_text(n.value, language_) : n.name;
+        return n.name.empty() ? number_words(n.value, language_) : n.name;
       case NodeKind::constant:
         if (n.constant == Constant::e) return "e";
         if (n.constant == Constant::pi) return english_ ? "pi" : "パイ";
@@ -157,10 +145,16 @@ class Speaker {
 
  private:
   static bool is_plain_number(const Node& n) {
+    if (is_named_list(n)) return true;
     return n.kind == NodeKind::number && (n.value >= 0 || !n.name.empty());
   }
+  static bool is_named_list(const Node& n) { return is_list(n) && !n.name.empty(); }
+  static bool is_list(const Node& n) {
+    return n.kind == NodeKind::function && functions::is_list(n.function);
+  }
   static bool is_atom(const Expression& e) {
-    return is_plain_number(*e) || e->kind == NodeKind::constant || e->kind == NodeKind::variable;
+    return is_plain_number(*e) || e->kind == NodeKind::constant || e->kind == NodeKind::variable ||
+           is_list(*e);
   }
   /// 2 x, 3 pi: heard as one thing.
   static bool is_coefficient(const Node& n) {
@@ -253,6 +247,8 @@ class Speaker {
       case Function::log_base:
       case Function::where:
       case Function::choose:
+      case Function::list:
+      case Function::range:
         return false;
       default:
         return true;
@@ -264,14 +260,14 @@ class Speaker {
     if (n.function == Function::either)
       return condition(*a[0]) + (english_ ? " or " : " または ") + condition(*a[1]);
     if (n.function != Function::both)
-      return spoken(a[0]) + comparison(comparison_of(n.function), language_) + spoken(a[1]);
+      return spoken(a[0]) + comparison_words(comparison_of(n.function), language_) + spoken(a[1]);
     const Node* last = a[0].get();
     while (last->function == Function::both) last = last->arguments[1].get();
     // 0 < x < 2
     if (to_text(last->arguments[1]) == to_text(a[1]->arguments[0]))
-      return condition(*a[0]) + comparison(comparison_of(a[1]->function), language_) +
+      return condition(*a[0]) + comparison_words(comparison_of(a[1]->function), language_) +
              spoken(a[1]->arguments[1]);
-    return condition(*a[0]) + comparison(Comparison::both, language_) + condition(*a[1]);
+    return condition(*a[0]) + comparison_words(Comparison::both, language_) + condition(*a[1]);
   }
 
   /// "minus x if x is less than 0; otherwise x"
@@ -287,8 +283,25 @@ class Speaker {
     return one + (english_ ? "; otherwise " : "、その他 ") + spoken(n.arguments[2]);
   }
 
+  /// "the list 1, 2, 3 end list", "the list 1, 3 and so on to 9 end list"
+  [[nodiscard]] std::string list(const Node& n) const {
+    if (!n.name.empty()) return n.name;
+    const bool is_range = n.function == Function::range;
+    std::string text(words_.list);
+    for (std::size_t i = 0; i < n.arguments.size(); ++i) {
+      const bool is_last = i + 1 == n.arguments.size();
+      if (is_range && is_last)
+        text += english_ ? " and so on to " : " から順に ";
+      else if (i > 0)
+        text += english_ ? ", " : "、";
+      text += spoken(n.arguments[i]);
+    }
+    return text + (is_range && !english_ ? " まで" : "") + std::string(words_.end_list);
+  }
+
   [[nodiscard]] std::string function(const Node& n) const {
     const auto& a = n.arguments;
+    if (is_list(n)) return list(n);
     if (is_condition(n.function)) return condition(n);
     if (n.function == Function::where)
       return std::string(words_.part) + spoken(a[1]) + std::string(words_.part_where) + condition(*a[0]) +
@@ -332,59 +345,21 @@ class Speaker {
 
 }  // namespace
 
+std::string number_words(double v, Language language) {
+  if (v < 0) return (language == Language::english ? "minus " : "マイナス") + fmt::format("{}", -v);
+  return fmt::format("{}", v);
+}
+
+std::string comparison_words(Comparison c, Language language) {
+  constexpr std::array<std::string_view, 6> kEnglish{" equals ",          " is less than ", " is at most ",
+                                                     " is greater than ", " is at least ",  " and "};
+  constexpr std::array<std::string_view, 6> kJapanese{" イコール ", " 小なり ",         " 小なりイコール ",
+                                                      " 大なり ",   " 大なりイコール ", " かつ "};
+  return std::string((language == Language::english ? kEnglish : kJapanese)[static_cast<std::size_t>(c)]);
+}
+
 std::string in_words(const Expression& expression, Language language, SpeechStyle style) {
   return Speaker(language, style).spoken(expression);
-}
-
-std::string in_words(const Statement& typed, Language language, SpeechStyle style) {
-  const RestrictedStatement restricted = without_conditions(typed);
-  const Statement& s = restricted.plain;
-  const bool english = language == Language::english;
-  const std::string equals = comparison(Comparison::equal, language);
-  const auto range = [&](std::string_view parameter) {
-    const std::string from = in_words(s.from, language, style);
-    const std::string to = in_words(s.to, language, style);
-    std::string text = english ? fmt::format(", for {} from {} to {}", parameter, from, to)
-                               : fmt::format("、{} は {} から {} まで", parameter, from, to);
-    if (s.from_is_open && s.to_is_open) return text + (english ? ", both excluded" : "、両端を除く");
-    if (!s.from_is_open && !s.to_is_open) return text;
-    const std::string& out = s.from_is_open ? from : to;
-    return text + (english ? fmt::format(", {} excluded", out) : fmt::format("、{} を除く", out));
-  };
-  if (s.is_point) {
-    const std::string x = in_words(s.terms[0], language, style);
-    const std::string y = in_words(s.terms[1], language, style);
-    return english ? fmt::format("the point with x {} and y {}", x, y) : fmt::format("点 x {}、y {}", x, y);
-  }
-  const CurveKind& kind = curve_kind(s.kind);
-  std::string text;
-  for (std::size_t i = 0; i < s.terms.size(); ++i) {
-    if (!s.name.empty())
-      text += (english ? s.name + " of x" : s.name + "、x の関数") + equals;
-    else if (kind.left[0])
-      text += (i == 0 ? "" : english ? " and " : "、") + in_words(variable(*kind.left[i]), language) + equals;
-    else if (i > 0)
-      text += comparison(s.comparisons[i - 1], language);
-    text += in_words(s.terms[i], language, style);
-  }
-  for (const Expression& c : restricted.conditions)
-    text += (english ? ", only where " : "、ただし ") + in_words(c, language, style);
-  return kind.says_range(s) ? text + range(in_words(variable(kind.parameter), language)) : text;
-}
-
-std::string in_words(const Plot& plot, Language language, SpeechStyle style) {
-  std::string text;
-  for (const Statement& s : plot.statements)
-    text += (text.empty() ? "" : language == Language::english ? "; " : "。") + in_words(s, language, style);
-  const bool english = language == Language::english;
-  for (const Parameter& p : plot.parameters) {
-    const auto say = [language](double v) { return number_text(v, language); };
-    text += (english ? "; " : "。") + p.name + comparison(Comparison::equal, language) + say(p.value);
-    if (!p.range_given) continue;
-    text += english ? fmt::format(", from {} to {}", say(p.from), say(p.to))
-                    : fmt::format("、{} から {} まで", say(p.from), say(p.to));
-  }
-  return text;
 }
 
 }  // namespace nazori::functions

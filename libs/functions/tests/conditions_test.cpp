@@ -97,7 +97,6 @@ TEST(Conditions, ThatCannotBeReadAreRefusedWithTheirColumn) {
       {"y = x {theta>0}", F::polar_mixed, 1},
       {"(1, 2, 3)", F::point_not_two_numbers, 1},
       {"(x, 2)", F::point_not_two_numbers, 1},
-      {"y = [1, 2] x", F::list, 5},
       {"[(1, 2), (3, 4)]", F::list, 1},
       {"[(1,2), (3,4)]", F::list, 1},
       {"y = [1", F::bracket_open, 7},

@@ -19,7 +19,7 @@ class RandomTrees {
   explicit RandomTrees(unsigned seed) : random_(seed) {}
 
   Expression tree(int depth) {
-    const int kind = depth == 0 ? below(5) : below(20);
+    const int kind = depth == 0 ? below(5) : below(22);
     const auto deeper = [&] { return tree(depth - 1 - below(2) < 0 ? 0 : depth - 1 - below(2)); };
     switch (kind) {
       case 0:
@@ -32,6 +32,9 @@ class RandomTrees {
         return constant(below(2) == 0 ? Constant::pi : Constant::e);
       case 4:
         return below(2) == 0 ? parameter("a", -2, true) : number(1);
+      case 20:
+      case 21:
+        return list();
       case 15:
         return negate(deeper());
       case 16:
@@ -68,6 +71,15 @@ class RandomTrees {
   }
 
  private:
+  /// [1, x], [2...3], [1, 2...3]: never a list in a list.
+  Expression list() {
+    std::vector<Expression> elements;
+    const int count = 1 + below(3);
+    for (int i = 0; i < count; ++i) elements.push_back(tree(0));
+    if (below(2) == 0 || count == 1) return call(Function::list, std::move(elements));
+    return call(Function::range, std::move(elements));
+  }
+
   /// "or" of chains joined by "and", as it is parsed.
   Expression condition() {
     const auto all = [this] {

@@ -52,7 +52,8 @@ TEST(Tokens, EverySpellingOfASignMeansTheSame) {
       {"!", T::factorial}, {"_", T::underscore}, {"|", T::bar},    {"∣", T::bar},       {"│", T::bar},
       {"｜", T::bar},      {",", T::comma},      {"、", T::comma}, {";", T::semicolon}, {"；", T::semicolon},
       {"(", T::open},      {"[", T::open},       {"{", T::open},   {")", T::close},     {"]", T::close},
-      {"}", T::close},     {"（", T::open},      {"～", T::end}};
+      {"}", T::close},     {"（", T::open},      {"~", T::tilde},  {"～", T::tilde},    {"∼", T::tilde},
+      {"〜", T::tilde},    {"...", T::dots},     {"..", T::dots},  {"…", T::dots},      {"＠", T::end}};
   for (const auto& [text, kind] : signs) {
     if (kind == T::end) {
       EXPECT_FALSE(tokenize(text, {})) << text;

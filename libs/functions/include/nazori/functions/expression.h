@@ -16,7 +16,7 @@ enum class Constant : std::uint8_t { pi, e, tau };
 
 /// Functions that can be typed, all real: where the real value does not exist the function is undefined.
 /// The last ones, from `less` on, are the conditions and cases in braces: a comparison is 1 where it holds
-/// and 0 where it does not.
+/// and 0 where it does not. Lists are written out before anything is drawn: they stay only in what was typed.
 enum class Function : std::uint8_t {
   sin,
   cos,
@@ -68,8 +68,13 @@ enum class Function : std::uint8_t {
   both,           ///< of two conditions: "and"
   either,         ///< of two conditions: "or"
   where,          ///< of a condition and a value: the value where the condition holds, else undefined
-  choose          ///< of a condition and two values: the first where it holds, else the second
+  choose,         ///< of a condition and two values: the first where it holds, else the second
+  list,           ///< of its elements: [1, 2, 3]
+  range           ///< of the first one or ones and the last: [1...5], [1, 3...9]
 };
+
+/// The functions that stand for several values.
+[[nodiscard]] constexpr bool is_list(Function f) { return f == Function::list || f == Function::range; }
 
 /// The functions that are conditions.
 [[nodiscard]] constexpr bool is_condition(Function f) { return f >= Function::less && f <= Function::either; }
@@ -94,9 +99,10 @@ using Expression = std::shared_ptr<const Node>;
 /// One node of an expression. Never changed after it was made.
 struct Node {
   NodeKind kind = NodeKind::number;
-  double value = 0;    ///< of a number: the double nearest to the typed one
-  bool exact = true;   ///< whether `value` equals the typed number exactly (0.5 does, 0.1 does not)
-  std::string name{};  ///< of a number that is a parameter: the letter it was typed as; else empty
+  double value = 0;   ///< of a number: the double nearest to the typed one
+  bool exact = true;  ///< whether `value` equals the typed number exactly (0.5 does, 0.1 does not)
+  std::string
+      name{};  ///< of a number that is a parameter, and of a list: the letter it was typed as; else empty
   Constant constant = Constant::pi;
   Variable variable = Variable::x;
   Function function = Function::sin;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "nazori/base/result.h"
 #include "nazori/functions/expression.h"
+#include "nazori/functions/fit.h"
 #include "nazori/functions/syntax_error.h"
 
 namespace nazori::functions {
@@ -49,8 +52,23 @@ struct Statement {
   bool range_given = false;  ///< false: the default 0 to 2 pi is used
   int column = 1;            ///< where it starts in the text
   std::string name{};        ///< of f(x) = ...: "f"; else empty
-  bool is_point = false;     ///< of parametric: typed as (1, 2), a single point
+  bool is_point = false;     ///< of parametric: typed as (1, 2), or as several points ([1, 3], [2, 4])
+  bool is_data = false;      ///< of points: measured ones, which are not part of the text
+  bool is_model = false;     ///< y ~ a x + b before it is fitted: terms[0] has letters without values
+  /// What a model was fitted to; null where no model was typed.
+  std::shared_ptr<const Fit> fit{};
+  /// Where lists or a model were typed: the statement as typed, of which this is one curve. Else null.
+  std::shared_ptr<const Statement> typed{};
+  int element = 0;   ///< the place of this curve among those of `typed`, from 0
+  int elements = 1;  ///< curves that `typed` stands for
 };
+
+/// The points of a statement that is_point, each x and y without variables; none of another statement.
+struct TypedPoint {
+  Expression x;
+  Expression y;
+};
+[[nodiscard]] std::vector<TypedPoint> typed_points(const Statement& statement);
 
 /// A number with a name, "a = 2", that a slider can change: "0 <= a <= 3".
 struct Parameter {
@@ -61,10 +79,18 @@ struct Parameter {
   bool range_given = false;  ///< false: -10 to 10, or further if the value is
 };
 
+/// A letter that stands for a list: "a = [1, 2, 3]".
+struct NamedList {
+  std::string name;
+  Expression typed;  ///< without its name
+  [[nodiscard]] std::vector<double> values() const;
+};
+
 /// The content of one line of text: one or several statements. Immutable after parse(); thread-safe.
 struct Plot {
   std::vector<Statement> statements;
   std::vector<Parameter> parameters{};
+  std::vector<NamedList> lists{};
   /// What can be read in two ways, with the reading that was taken: 1e3 is 1*e*3.
   std::vector<SyntaxError> questions{};
   [[nodiscard]] bool is_surface() const {
@@ -85,9 +111,15 @@ struct ParseOptions {
 /// A brace behind an expression restricts it, y = x^2 {0 <= x <= 2}; a brace with colons is cases, of which
 /// the first whose condition holds is taken: {x < 0: -x, x >= 0: x}. "and" joins conditions and inequalities,
 /// "or" separates inequalities. f(x) = a x^2 defines a function, a = 2 a parameter, 0 <= a <= 3 its range;
-/// f'(x) is the derivative.
+/// f'(x) is the derivative. A list, y = [1, 2] x, stands for one curve with each element; two lists go
+/// together element by element, as far as the shortest one reaches. ([1, 2], [3, 4]) is the points (1, 3) and
+/// (2, 4).
+/// y ~ a x + b is a model: its letters without a definition get the values with which it fits the points of
+/// the text and of `data` best.
 /// @param text  UTF-8 of at most 10,000 bytes, Unicode signs and full-width forms allowed.
-[[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {});
+/// @param data  measured points that are drawn, too.
+[[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {},
+                                                    std::span<const DataPoint> data = {});
 
 /// The text with the value of a parameter replaced or, where it has only a range, added.
 /// @return nothing where `text` cannot be read or has no such parameter, or the value is not finite.

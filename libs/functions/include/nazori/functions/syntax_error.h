@@ -62,9 +62,20 @@ enum class SyntaxFault : std::uint8_t {
   two_equations,                ///< joined by "and"
   choice_in_region,             ///< "or" in the braces of an inequality
   point_not_two_numbers,
-  not_equal,   ///< subject is the sign
-  list,        ///< square brackets around several values
-  line_break,  ///< between two parts that would be multiplied, before subject
+  model_form,            ///< not y ~ an expression in x
+  no_letter,             ///< of a model without letters to fit
+  too_few_points,        ///< `number` of them for a model of `wanted` letters
+  letters_undetermined,  ///< of a model: other values fit as well
+  model_undefined,       ///< at x = subject
+  fit_not_found,         ///< the search for the letters does not end
+  not_equal,             ///< subject is the sign
+  list,                  ///< square brackets around points
+  list_in_list,
+  list_leads_nowhere,  ///< the numbers of [1...5]
+  list_misplaced,      ///< where a single number must be
+  too_many_elements,   ///< of a list
+  too_many_curves,     ///< of all lists of a text
+  line_break,          ///< between two parts that would be multiplied, before subject
   // Questions: what can be read in two ways. They do not stop reading.
   ask_exponent,  ///< subject is a number such as 1e3
   ask_point,     ///< subject is a number with a comma, alone in parentheses
@@ -80,8 +91,10 @@ struct SyntaxError {
   SyntaxFault fault = SyntaxFault::no_expression;
   std::string subject{};  ///< the typed text that is wrong: a sign, a name, a number
   std::string closing{};  ///< of bracket_open: the sign that is missing; of other_variable: the variable
-  int number = 0;  ///< bar_open and bracket_open: a column; argument_count: the number of arguments given
-  int wanted = 0;  ///< argument_count: the number required; below 0: that many or more
+  int number = 0;  ///< bar_open and bracket_open: a column; argument_count: the number of arguments given;
+                   ///< too_few_points: the points
+  /// argument_count: the number required; below 0: that many or more; too_few_points: the letters
+  int wanted = 0;
 
   /// As an Error of code parse whose `where` is "column 8", in English.
   [[nodiscard]] base::Error to_error() const;

@@ -10,7 +10,7 @@ namespace nazori::functions {
 
 /// One row of a table of values.
 struct ValueRow {
-  double parameter = 0;  ///< x of y = f(x), y of x = g(y), else t or theta
+  double parameter = 0;  ///< x of y = f(x), y of x = g(y), else t or theta; of points their number from 0
   double x = 0;          ///< NaN where undefined
   double y = 0;          ///< NaN where undefined
 };
@@ -24,7 +24,7 @@ struct ValueSteps {
 };
 
 /// The values of a curve with a course at from, from + step, ... up to `to`. Each parameter is computed by
-/// one multiplication, so that steps of 0.1 do not add up their rounding.
+/// one multiplication, so that steps of 0.1 do not add up their rounding. Of points, the points themselves.
 /// @return bad_argument where the steps do not lead from `from` to `to` in at most 10,000 rows, or the
 /// statement
 ///         is an equation, a region or a surface.
