@@ -163,7 +163,7 @@ void BrailleWriter::product(const Node& n, bool followed, bool follows_operation
     if (cells_.is_nemeth()) {
       cells_.go_up();
       cells_.put("⠨⠡");
-      cells_.go_down();
+      cells_.go_back();
     } else {
       cells_.put("⠘⠚");
     }
@@ -214,9 +214,14 @@ void BrailleWriter::exponent(const Expression& e) {
   if (cells_.is_nemeth()) {
     cells_.go_up();
     write(e);
-    return cells_.go_down();
+    return cells_.go_back();
   }
   cells_.put("⠔");
+  item(e);
+}
+
+/// In UEB an indicator holds for one item: a letter, a number, a fraction or what is grouped.
+void BrailleWriter::item(const Expression& e) {
   const bool single = is_atom(e) || e->kind == NodeKind::divide;
   if (!single) cells_.put("⠣");
   write(e);
@@ -302,6 +307,30 @@ void BrailleWriter::cases(const Node& n) {
   write(n.arguments[2]);
 }
 
+/// The sign with its ends, lower first, the function and dt. With something behind it in a product it is in
+/// parentheses.
+void BrailleWriter::integral(const Node& n, bool followed) {
+  if (followed) cells_.put(cells_.signs().open);
+  cells_.put("⠮");
+  if (cells_.is_nemeth()) {
+    cells_.go_below();
+    write(n.arguments[1]);
+    cells_.go_back();
+    cells_.go_up();
+    write(n.arguments[2]);
+    cells_.go_back();
+  } else {
+    cells_.put("⠢");
+    item(n.arguments[1]);
+    cells_.put("⠔");
+    item(n.arguments[2]);
+  }
+  part(n.arguments[0], 2, true, false);
+  cells_.put_letters(braille_letter('d'));
+  write(variable(n.variable));
+  if (followed) cells_.put(cells_.signs().close);
+}
+
 void BrailleWriter::between(std::string_view open, const Expression& e, std::string_view close) {
   cells_.put(open);
   write(e);
@@ -354,6 +383,8 @@ void BrailleWriter::function(const Node& n, bool followed) {
           between("⠣", a[0], "⠜");
       }
       return argument(a[1], followed);
+    case Function::integral:
+      return integral(n, followed);
     case Function::where:
     case Function::choose:
       cells_.put(s.open_brace);

@@ -44,6 +44,8 @@ class BrailleWriter {
   void argument(const Expression& e, bool followed);
   void radical(const Expression& inside, const Expression& index);
   void cases(const Node& n);
+  void integral(const Node& n, bool followed);
+  void item(const Expression& e);
   void between(std::string_view open, const Expression& e, std::string_view close);
   void function(const Node& n, bool followed);
 

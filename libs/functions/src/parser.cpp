@@ -91,6 +91,7 @@ bool Parser::starts_operand() const {
     case TokenKind::function:
     case TokenKind::root:
     case TokenKind::name:
+    case TokenKind::integral:
       return true;
     case TokenKind::open:
       return brace() != Brace::restriction;
@@ -348,7 +349,9 @@ Parser::Parsed Parser::operand() {
     case TokenKind::bar:
       return bars();
     case TokenKind::function:
-      return function_call();
+      return token.function == Function::integral ? integral_call() : function_call();
+    case TokenKind::integral:
+      return integral_sign();
     case TokenKind::root: {
       ++at_;
       const Nesting nesting(depth_);

@@ -114,6 +114,8 @@ class Parser {
   /// The value of a parameter, or a call f(x), f'(x).
   Parsed named();
   Parsed parameter_value(const std::string& letter);
+  /// What f, f', f'' computes from its variable; `name` was consumed.
+  Parsed function_body(const Token& name);
   /// In the order of the text, not of their first use.
   void sort_parameters();
   /// Takes "a = 2" and "0 <= a <= 3". @return whether it did.
@@ -139,6 +141,13 @@ class Parser {
   Parsed group();
   Parsed function_call();
   Parsed bare_argument();
+  Parsed integral_call();
+  Parsed integral_sign();
+  Parsed integral_argument();
+  Parsed integral_end();
+  static Parsed integral_between(int column, const Expression& integrand, Variable v, Expression from,
+                                 Expression to);
+  [[nodiscard]] bool stands_alone();
   tl::expected<std::vector<Expression>, SyntaxError> argument_list();
   Parsed finish_call(const Token& name, std::vector<Expression> arguments, const Expression& base,
                      const Expression& power);

@@ -35,6 +35,8 @@ enum class TokenKind : std::uint8_t {
   either,  ///< "or"
   degree,  ///< the raised circle
   prime,   ///< of a derivative; `value` counts them
+  integral,      ///< the sign, or "int_"
+  differential,  ///< behind it: dt
   name,    ///< of a parameter or a function of the text: Token::text
   end
 };

@@ -43,6 +43,7 @@ inline constexpr FunctionName kFunctions[] = {
     {U"erf", Function::erf},       {U"factorial", Function::factorial},
     {U"min", Function::min},       {U"max", Function::max},
     {U"mod", Function::mod},       {U"hypot", Function::hypot},
+    {U"integral", Function::integral},
 };
 // Names that end in digits, and log_b (base first), stand only where a parenthesis follows: "log2(x)", but
 // "log2x" is log(2x).

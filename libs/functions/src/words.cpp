@@ -84,23 +84,25 @@ struct Brackets {
   std::string_view of;                            ///< between a function and its argument
   std::string_view part, part_where, end_part;    ///< around a value and its condition
   std::string_view cases, end_cases;
+  std::string_view integral, over_variable, from, to, end_integral;
 };
 
 constexpr std::array<Brackets, 3> kEnglishBrackets{
     {{"the quantity ", " end quantity", "the fraction with numerator ", " and denominator ", " end fraction",
       " to the power of ", " end power", " of ", "the part of ", " where ", " end part", "the cases ",
-      " end cases"},
+      " end cases", "the integral of ", " with respect to ", " from ", " up to ", " end integral"},
      {"quantity ", " end", "fraction ", " over ", " end fraction", " to the ", " end power", " of ", "part ",
-      " where ", " end part", "cases ", " end cases"},
+      " where ", " end part", "cases ", " end cases", "integral ", " with respect to ", " from ", " up to ",
+      " end integral"},
      {"open ", " close", "frac ", " over ", " end frac", " to ", " end", " ", "part ", " where ", " end part",
-      "cases ", " end cases"}}};
+      "cases ", " end cases", "integral ", " by ", " from ", " up to ", " end integral"}}};
 constexpr std::array<Brackets, 3> kJapaneseBrackets{
     {{"括弧 ", " 括弧閉じ", "分数 分母 ", " 分子 ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合分け ", " 場合分け終わり"},
+      " 部分終わり", "場合分け ", " 場合分け終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"},
      {"括弧 ", " 閉じ", "分数 ", " 分の ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合分け ", " 場合分け終わり"},
+      " 部分終わり", "場合分け ", " 場合分け終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"},
      {"かっこ ", " とじ", "分数 ", " 分の ", " 終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合 ", " 場合終わり"}}};
+      " 部分終わり", "場合 ", " 場合終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"}}};
 
 std::string comparison(Comparison c, Language language) {
   constexpr std::array<std::string_view, 6> kEnglish{" equals ",          " is less than ", " is at most ",
@@ -253,6 +255,7 @@ class Speaker {
       case Function::log_base:
       case Function::where:
       case Function::choose:
+      case Function::integral:
         return false;
       default:
         return true;
@@ -287,12 +290,20 @@ class Speaker {
     return one + (english_ ? "; otherwise " : "、その他 ") + spoken(n.arguments[2]);
   }
 
+  /// "the integral of t squared with respect to t from 0 up to x end integral"
+  [[nodiscard]] std::string integral(const Node& n) const {
+    return std::string(words_.integral) + spoken(n.arguments[0]) + std::string(words_.over_variable) +
+           spoken(variable(n.variable)) + std::string(words_.from) + spoken(n.arguments[1]) +
+           std::string(words_.to) + spoken(n.arguments[2]) + std::string(words_.end_integral);
+  }
+
   [[nodiscard]] std::string function(const Node& n) const {
     const auto& a = n.arguments;
     if (is_condition(n.function)) return condition(n);
     if (n.function == Function::where)
       return std::string(words_.part) + spoken(a[1]) + std::string(words_.part_where) + condition(*a[0]) +
              std::string(words_.end_part);
+    if (n.function == Function::integral) return integral(n);
     if (n.function == Function::choose)
       return std::string(words_.cases) + cases(n) + std::string(words_.end_cases);
     switch (n.function) {
