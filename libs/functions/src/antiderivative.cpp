@@ -99,13 +99,31 @@ const IntegralLeaf* Antiderivative::find(double t) const {
 }
 
 double Antiderivative::between(double from, double to) const {
-  if (!(std::isfinite(from) && std::isfinite(to))) return kNaN;
+  if (!(std::isfinite(from) && std::isfinite(to)) || is_cut_off(from, to)) return kNaN;
   const IntegralLeaf* const a = find(from);
   const IntegralLeaf* const b = find(to);
   if (a == nullptr || b == nullptr || !is_clear(*a, *b)) return kNaN;
   if (from == to) return 0;
   if (!is_fine(*a, *b)) return kNaN;
   return static_cast<double>(sum_between(*a, *b).centre + b->near(to) - a->near(from));
+}
+
+bool Antiderivative::is_cut_off(double from, double to) const {
+  const auto stops = [this](bool negative, double near, double far) {
+    const int last = std::min(block_of(far), kBlocks);
+    const int first = block_of(near);
+    if (first >= last) return false;
+    const IntegralLeaf* const start = find_on_side(negative, near);
+    for (int i = first; i < last; ++i) {
+      const PassedLeaves& passed = block(negative, i).passed;
+      if (passed.bad > start->passed.bad || passed.coarse > start->passed.coarse) return true;
+    }
+    return false;
+  };
+  if (from > to) std::swap(from, to);
+  if (from >= 0) return stops(false, from, to);
+  if (to <= 0) return stops(true, -to, -from);
+  return stops(true, 0, -from) || stops(false, 0, to);
 }
 
 IntegralSum Antiderivative::sum_from_zero(const IntegralLeaf& leaf) const {

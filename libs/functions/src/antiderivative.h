@@ -55,6 +55,8 @@ class Antiderivative {
   /// The leaf around a place, a good one where two meet. Null beyond the last block.
   [[nodiscard]] const IntegralLeaf* find(double t) const;
   [[nodiscard]] const IntegralLeaf* find_on_side(bool negative, double distance) const;
+  /// Whether a block between two places shows that there is no value: the blocks behind it are not built.
+  [[nodiscard]] bool is_cut_off(double from, double to) const;
   /// From the place of a leaf to that of another one, or from 0 to it.
   [[nodiscard]] IntegralSum sum_between(const IntegralLeaf& from, const IntegralLeaf& to) const;
   [[nodiscard]] IntegralSum sum_from_zero(const IntegralLeaf& leaf) const;

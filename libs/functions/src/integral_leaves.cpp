@@ -10,14 +10,18 @@
 namespace nazori::functions {
 namespace {
 
-// A block that needs more leaves has coarse ones. Far out only few are spent: there mostly limits are looked
-// for.
+// A block that needs more leaves has coarse ones. Few are spent beside 0, where there are many blocks, and far
+// out, where mostly limits are looked for.
 constexpr std::size_t kMostLeaves = 4096;
-constexpr std::size_t kMostLeavesFarOut = 64;
-constexpr double kFarOut = 4096;
+constexpr std::size_t kMostLeavesNearZero = 512;
+constexpr double kNearZero = 1.0 / 16;
+constexpr std::size_t kMostLeavesFarOut = 128;
+constexpr double kFarOut = 1024;
 // The remainder may be as large as the rounding of the other terms.
 constexpr double kTolerance = 1e-16;
 constexpr double kCoarse = 1e-6;
+// Nearer to zero the steps between doubles are as large as the numbers: e^(-t^2) at 27.
+constexpr double kVanishing = 1e-290;
 
 bool is_usable(const Interval& v) { return !v.is_empty() && v.is_bounded(); }
 
@@ -62,7 +66,8 @@ class BlockBuilder {
   BlockBuilder(const Tape& tape, double inner, double outer)
       : tape_(tape), registers_(tape.size()), inner_(inner), outer_(outer) {
     width_ = std::abs(outer - inner);
-    most_ = std::abs(outer) > kFarOut ? kMostLeavesFarOut : kMostLeaves;
+    const double reach = std::abs(outer);
+    most_ = reach > kFarOut ? kMostLeavesFarOut : reach <= kNearZero ? kMostLeavesNearZero : kMostLeaves;
     narrowest_ = width_ * 0x1p-44;
   }
 
@@ -138,7 +143,7 @@ class BlockBuilder {
     }
     const double error = remainder(leaf);
     const double fine = kTolerance * leaf.range.magnitude() * width;
-    if (error <= std::max(fine, height_ * width_ * 0x1p-62) || width <= narrowest_)
+    if (error <= std::max({fine, height_ * width_ * 0x1p-62, kVanishing * width}) || width <= narrowest_)
       done_.push_back(std::move(leaf));
     else
       open_.emplace(error, std::move(leaf));

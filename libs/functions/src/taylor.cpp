@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "taylor.h"
 
+#include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -187,6 +188,21 @@ Terms chosen(const Terms& condition, const Terms& u, const Terms& v) {
   return r;
 }
 
+/// The derivative of digamma. Falls from infinity to 0 for positive numbers; unknown for others.
+Interval trigamma(const Interval& u) {
+  using Quiet = boost::math::policies::policy<
+      boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+      boost::math::policies::pole_error<boost::math::policies::ignore_error>,
+      boost::math::policies::overflow_error<boost::math::policies::ignore_error>>;
+  if (u.is_empty() || !(u.lower > 0) || !u.is_bounded()) return unknown();
+  const double most = boost::math::trigamma(u.lower, Quiet());
+  const double least = boost::math::trigamma(u.upper, Quiet());
+  // As much wider as digamma.
+  constexpr double kSlack = 1e-13;
+  if (!std::isfinite(most) || !std::isfinite(least)) return unknown();
+  return {least * (1 - kSlack) - kSlack, most * (1 + kSlack) + kSlack};
+}
+
 /// Of a function that vanishes at the place: that function over (t - place).
 void divide_by_distance(Terms& u) {
   for (std::size_t k = 0; k + 1 < kCount; ++k) u[k] = u[k + 1];
@@ -312,8 +328,11 @@ Taylor gamma(const Taylor& a) {
     const Interval value = gamma(u[0]);
     if (is_constant(u)) return constant(value);
     Terms r = constant(value);
-    r[1] = value * digamma(u[0]) * u[1];
-    return unknown_from(2, r);
+    const Interval slope = digamma(u[0]);
+    r[1] = value * slope * u[1];
+    r[2] = value * slope * u[2] +
+           value * (square(slope) + trigamma(u[0])) * square(u[1]) / Interval(2.0);
+    return unknown_from(3, r);
   });
 }
 Taylor abs(const Taylor& a) { return both(a, size); }
