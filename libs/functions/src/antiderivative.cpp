@@ -31,7 +31,8 @@ Interval narrowed(const LongInterval& v) {
   const auto low = static_cast<double>(v.lower);
   const auto high = static_cast<double>(v.upper);
   return {static_cast<long double>(low) == v.lower ? low : Rounding<double>::down(low),
-          static_cast<long double>(high) == v.upper ? high : Rounding<double>::up(high), v.decoration, v.cause};
+          static_cast<long double>(high) == v.upper ? high : Rounding<double>::up(high), v.decoration,
+          v.cause};
 }
 
 LongInterval widened(const Interval& v) {
@@ -145,7 +146,8 @@ IntegralSum Antiderivative::sum_between(const IntegralLeaf& from, const Integral
     all.add(sum_from_zero(to));
     return all;
   }
-  if (std::pair(from.block, from.index) > std::pair(to.block, to.index)) return reversed(sum_between(to, from));
+  if (std::pair(from.block, from.index) > std::pair(to.block, to.index))
+    return reversed(sum_between(to, from));
   IntegralSum all = from.to_outer;
   const IntegralBlock& first = block(from.is_negative, from.block);
   if (from.block == to.block) {

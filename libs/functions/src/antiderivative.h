@@ -80,12 +80,15 @@ class Antiderivative {
 [[nodiscard]] inline Interval integral(const Antiderivative& f, const Interval& from, const Interval& to) {
   return f.between(from, to);
 }
-[[nodiscard]] LongInterval integral(const Antiderivative& f, const LongInterval& from, const LongInterval& to);
+[[nodiscard]] LongInterval integral(const Antiderivative& f, const LongInterval& from,
+                                    const LongInterval& to);
 [[nodiscard]] Taylor integral(const Antiderivative& f, const Taylor& from, const Taylor& to);
 
 /// The function under the integral.
 [[nodiscard]] inline double integrand_at(const Antiderivative& f, double t) { return f.integrand(t); }
-[[nodiscard]] inline Interval integrand_at(const Antiderivative& f, const Interval& t) { return f.integrand(t); }
+[[nodiscard]] inline Interval integrand_at(const Antiderivative& f, const Interval& t) {
+  return f.integrand(t);
+}
 [[nodiscard]] LongInterval integrand_at(const Antiderivative& f, const LongInterval& t);
 
 /// The slope is f(to) to' - f(from) from'.

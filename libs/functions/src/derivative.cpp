@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra.h"
+#include "complete_cases.h"
 
 namespace nazori::functions {
 namespace {
@@ -189,8 +190,9 @@ class Differentiator {
 
   /// The slope of an integral that comes from one of its ends.
   Expression at_end(const Node& n, const Expression& end) {
-    const Expression& height = n.arguments[0];
-    return times(substitute(exact_ ? without_steps(height, n.variable) : height, n.variable, end), of(end));
+    Expression height = with_complete_cases(n.arguments[0], n.variable);
+    if (exact_) height = without_steps(height, n.variable);
+    return times(substitute(height, n.variable, end), of(end));
   }
 
   /// An integral has a corner where the function under it jumps: without these places.

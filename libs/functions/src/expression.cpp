@@ -19,10 +19,10 @@ namespace {
 constexpr std::int64_t kMostRational = 1'000'000'000'000;
 
 constexpr std::array<std::string_view, 52> kFunctionNames{
-    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",  "acos",  "atan",  "acot",  "sinh",
-    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh", "atanh", "exp",   "ln",    "log",
-    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",  "floor", "ceil",  "round", "trunc",
-    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",   "atan2", "hypot", "<",     "<=",
+    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",   "acos",    "atan",  "acot",  "sinh",
+    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh",  "atanh",   "exp",   "ln",    "log",
+    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",   "floor",   "ceil",  "round", "trunc",
+    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",    "atan2",   "hypot", "<",     "<=",
     ">",    ">=",    "=",         "and",  "or",   "where", "choose", "integral"};
 
 std::string wrapped(const Expression& e, int least) {
@@ -256,9 +256,7 @@ Expression integral(Expression integrand, Variable v, Expression from, Expressio
   return std::make_shared<const Node>(std::move(n));
 }
 
-bool is_integral(const Node& n) {
-  return n.kind == NodeKind::function && n.function == Function::integral;
-}
+bool is_integral(const Node& n) { return n.kind == NodeKind::function && n.function == Function::integral; }
 
 namespace {
 

@@ -10,8 +10,8 @@
 namespace nazori::functions {
 namespace {
 
-// A block that needs more leaves has coarse ones. Few are spent beside 0, where there are many blocks, and far
-// out, where mostly limits are looked for.
+// A block that needs more leaves has coarse ones. Few are spent beside 0, where there are many blocks, and
+// far out, where mostly limits are looked for.
 constexpr std::size_t kMostLeaves = 4096;
 constexpr std::size_t kMostLeavesNearZero = 512;
 constexpr double kNearZero = 1.0 / 16;

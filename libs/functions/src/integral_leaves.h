@@ -31,7 +31,7 @@ struct IntegralLeaf {
   double inner = 0;  ///< distances of its ends from 0
   double outer = 0;
   bool is_negative = false;
-  double place = 0;         ///< around which the polynomial is written
+  double place = 0;  ///< around which the polynomial is written
   bool is_bad = true;
   bool is_coarse = false;
   Cause cause = Cause::none;  ///< of a bad one

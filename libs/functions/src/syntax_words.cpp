@@ -94,7 +94,8 @@ SyntaxWords english(const SyntaxError& e) {
     case SyntaxFault::integral_form:
       return {"an integral is not written like this", "expected integral(t^2, t, 0, x) or ∫_0^x t^2 dt"};
     case SyntaxFault::other_variable_in_integral:
-      return {"the function under the integral contains " + e.closing, "expected no variable but " + e.subject};
+      return {"the function under the integral contains " + e.closing,
+              "expected no variable but " + e.subject};
     case SyntaxFault::no_derivative:
       return {"the derivative of " + quoted + " is not known",
               "expected a function without gamma or factorial"};

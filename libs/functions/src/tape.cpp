@@ -196,7 +196,8 @@ class Tape::Builder {
     auto& all = tape_.integrals_;
     auto known = std::find(all.begin(), all.end(), n.antiderivative);
     if (known == all.end()) known = all.insert(all.end(), n.antiderivative);
-    return step(Op::integral, add(n.arguments[1]), add(n.arguments[2]), static_cast<int>(known - all.begin()));
+    return step(Op::integral, add(n.arguments[1]), add(n.arguments[2]),
+                static_cast<int>(known - all.begin()));
   }
 
   /// Conditions, and values that depend on one.

@@ -181,9 +181,12 @@ Terms size(const Terms& u) {
 Terms chosen(const Terms& condition, const Terms& u, const Terms& v) {
   const Interval value = choose(condition[0], u[0], v[0]);
   Terms r = constant(value);
-  if (condition[0].lower > 0.5) r = u;
-  else if (condition[0].upper < 0.5) r = v;
-  else r = unknown_from(1, r);
+  if (condition[0].lower > 0.5)
+    r = u;
+  else if (condition[0].upper < 0.5)
+    r = v;
+  else
+    r = unknown_from(1, r);
   r[0] = value;
   return r;
 }
@@ -303,7 +306,8 @@ Taylor atan(const Taylor& a) {
   return both(a, [](const Terms& u) { return chain(atan(u[0]), one_over(one_plus(product(u, u))), u); });
 }
 Taylor asinh(const Taylor& a) {
-  return both(a, [](const Terms& u) { return chain(asinh(u[0]), one_over(root(one_plus(product(u, u)))), u); });
+  return both(a,
+              [](const Terms& u) { return chain(asinh(u[0]), one_over(root(one_plus(product(u, u)))), u); });
 }
 Taylor acosh(const Taylor& a) {
   return both(a, [](const Terms& u) {
@@ -311,9 +315,8 @@ Taylor acosh(const Taylor& a) {
   });
 }
 Taylor atanh(const Taylor& a) {
-  return both(a, [](const Terms& u) {
-    return chain(atanh(u[0]), one_over(one_plus(negated(product(u, u)))), u);
-  });
+  return both(
+      a, [](const Terms& u) { return chain(atanh(u[0]), one_over(one_plus(negated(product(u, u)))), u); });
 }
 Taylor erf(const Taylor& a) {
   return both(a, [](const Terms& u) {
@@ -330,8 +333,7 @@ Taylor gamma(const Taylor& a) {
     Terms r = constant(value);
     const Interval slope = digamma(u[0]);
     r[1] = value * slope * u[1];
-    r[2] = value * slope * u[2] +
-           value * (square(slope) + trigamma(u[0])) * square(u[1]) / Interval(2.0);
+    r[2] = value * slope * u[2] + value * (square(slope) + trigamma(u[0])) * square(u[1]) / Interval(2.0);
     return unknown_from(3, r);
   });
 }
@@ -352,8 +354,7 @@ Taylor atan2(const Taylor& y, const Taylor& x) {
   return both(y, x, [](const Terms& v, const Terms& u) {
     const Terms radius = sum(product(u, u), product(v, v));
     const Interval value = atan2(v[0], u[0]);
-    return sum(chain(value, quotient(u, radius), v),
-               negated(chain(Interval(0.0), quotient(v, radius), u)));
+    return sum(chain(value, quotient(u, radius), v), negated(chain(Interval(0.0), quotient(v, radius), u)));
   });
 }
 

@@ -7,7 +7,8 @@
 
 namespace nazori::functions {
 
-/// The first Taylor coefficients of a function of one variable t: term k encloses the k-th derivative over k!.
+/// The first Taylor coefficients of a function of one variable t: term k encloses the k-th derivative over
+/// k!.
 ///
 /// A number of a tape like intervals and duals, for integrals. With p the place and n at most kOrder,
 /// f(t) lies in place[0] + ... + place[n-1] (t-p)^(n-1) + box[n] (t-p)^n for every t of the box, if these

@@ -31,13 +31,13 @@ enum class TokenKind : std::uint8_t {
   comparison,
   semicolon,
   colon,
-  both,    ///< "and"
-  either,  ///< "or"
-  degree,  ///< the raised circle
-  prime,   ///< of a derivative; `value` counts them
+  both,          ///< "and"
+  either,        ///< "or"
+  degree,        ///< the raised circle
+  prime,         ///< of a derivative; `value` counts them
   integral,      ///< the sign, or "int_"
   differential,  ///< behind it: dt
-  name,    ///< of a parameter or a function of the text: Token::text
+  name,          ///< of a parameter or a function of the text: Token::text
   end
 };
 

@@ -69,28 +69,25 @@ const std::vector<Known>& table() {
       {"integral(ln(t), t, 1, x)", [](double x) { return x * log(x) - x + 1; }, 1e-3, 20},
       {"integral(log(t), t, 1, x)", [](double x) { return (x * log(x) - x + 1) / log(10); }, 1e-3, 20},
       {"integral(log2(t), t, 1, x)", [](double x) { return (x * log(x) - x + 1) / log(2); }, 1e-3, 20},
-      {"integral(atan(t), t, 0, x)",
-       [](double x) { return x * std::atan(x) - log(1 + x * x) / 2; }, -5, 5},
-      {"integral(asin(t), t, 0, x)",
-       [](double x) { return x * std::asin(x) + sqrt(1 - x * x) - 1; }, -1, 1},
-      {"integral(acos(t), t, 0, x)",
-       [](double x) { return x * std::acos(x) - sqrt(1 - x * x) + 1; }, -1, 1},
-      {"integral(asinh(t), t, 0, x)",
-       [](double x) { return x * std::asinh(x) - sqrt(1 + x * x) + 1; }, -5, 5},
-      {"integral(acosh(t), t, 1, x)",
-       [](double x) { return x * std::acosh(x) - sqrt(x * x - 1); }, 1, 9},
-      {"integral(atanh(t), t, 0, x)",
-       [](double x) { return x * std::atanh(x) + log(1 - x * x) / 2; }, -0.99, 0.99},
+      {"integral(atan(t), t, 0, x)", [](double x) { return x * std::atan(x) - log(1 + x * x) / 2; }, -5, 5},
+      {"integral(asin(t), t, 0, x)", [](double x) { return x * std::asin(x) + sqrt(1 - x * x) - 1; }, -1, 1},
+      {"integral(acos(t), t, 0, x)", [](double x) { return x * std::acos(x) - sqrt(1 - x * x) + 1; }, -1, 1},
+      {"integral(asinh(t), t, 0, x)", [](double x) { return x * std::asinh(x) - sqrt(1 + x * x) + 1; }, -5,
+       5},
+      {"integral(acosh(t), t, 1, x)", [](double x) { return x * std::acosh(x) - sqrt(x * x - 1); }, 1, 9},
+      {"integral(atanh(t), t, 0, x)", [](double x) { return x * std::atanh(x) + log(1 - x * x) / 2; }, -0.99,
+       0.99},
       {"integral(erf(t), t, 0, x)",
        [](double x) { return x * std::erf(x) + (exp(-x * x) - 1) / sqrt(std::numbers::pi); }, -4, 4},
       {"integral(2^t, t, 0, x)", [](double x) { return (std::exp2(x) - 1) / log(2); }, -8, 8},
       {"integral(t^2.5, t, 0, x)", [](double x) { return std::pow(x, 3.5) / 3.5; }, 0, 6},
       {"integral(t^(-3), t, 1, x)", [](double x) { return (1 - 1 / (x * x)) / 2; }, 0.01, 30},
       {"integral(t^t*(1+ln(t)), t, 1, x)", [](double x) { return std::pow(x, x) - 1; }, 0.1, 4},
-      {"integral(atan2(t, 2), t, 0, x)",
-       [](double x) { return x * std::atan2(x, 2) - log(1 + x * x / 4); }, -5, 5},
+      {"integral(atan2(t, 2), t, 0, x)", [](double x) { return x * std::atan2(x, 2) - log(1 + x * x / 4); },
+       -5, 5},
       {"integral((t^2-1)/(t-1), t, 0, x)", [](double x) { return x * x / 2 + x; }, -3, 3},
-      {"integral((1-cos(2t))/t, t, 0, x) - integral((1-cos(t))/t, t, 0, 2x)", [](double) { return 0.0; }, -9, 9},
+      {"integral((1-cos(2t))/t, t, 0, x) - integral((1-cos(t))/t, t, 0, 2x)", [](double) { return 0.0; }, -9,
+       9},
       {"integral(cos(t), t, x, x+1)", [](double x) { return sin(x + 1) - sin(x); }, -9, 9},
       {"integral(cos(t), t, x^2, 0)", [](double x) { return -sin(x * x); }, -4, 4},
       {"integral(integral(cos(s), s, 0, t), t, 0, x)", [](double x) { return 1 - cos(x); }, -9, 9},
@@ -139,8 +136,10 @@ TEST(Integral, EnclosuresContainTheValueAndAreNarrowAtAPlace) {
       const Interval over = value(tape, box);
       for (int j = 0; j <= 10; ++j) {
         const double v = k.closed(std::min(box.upper, box.lower + box.width() * j / 10));
-        ASSERT_LE(over.lower, v + 1e-13 * (1 + std::abs(v))) << k.text << " over " << box.lower << ", " << box.upper;
-        ASSERT_GE(over.upper, v - 1e-13 * (1 + std::abs(v))) << k.text << " over " << box.lower << ", " << box.upper;
+        ASSERT_LE(over.lower, v + 1e-13 * (1 + std::abs(v)))
+            << k.text << " over " << box.lower << ", " << box.upper;
+        ASSERT_GE(over.upper, v - 1e-13 * (1 + std::abs(v)))
+            << k.text << " over " << box.lower << ", " << box.upper;
       }
     }
   }
@@ -209,13 +208,12 @@ std::string written(const char* text) {
 
 TEST(Integral, IsReadInEachOfItsForms) {
   const std::string text = "y = integral(t^2, t, 0, x)";
-  for (const char* form : {"integral(t^2, t, 0, x)", "∫_0^x t^2 dt", "∫_0^x t^2dt", "int_0^x(t^2)dt", "∫_{0}^{x} t² dt",
-                           "y = integral(t^2; t; 0; x)", "INTEGRAL(t^2,t,0,x)"}) {
+  for (const char* form : {"integral(t^2, t, 0, x)", "∫_0^x t^2 dt", "∫_0^x t^2dt", "int_0^x(t^2)dt",
+                           "∫_{0}^{x} t² dt", "y = integral(t^2; t; 0; x)", "INTEGRAL(t^2,t,0,x)"}) {
     EXPECT_EQ(written(form), text) << form;
   }
   EXPECT_EQ(written("f(x) = x^2; y = integral(f, 0, x)"), "f(x) = x^2; y = integral(x^2, x, 0, x)");
-  EXPECT_EQ(written("f(x) = x^2; y = integral(f', 0, x) + 1"),
-            "f(x) = x^2; y = integral(2*x, x, 0, x) + 1");
+  EXPECT_EQ(written("f(x) = x^2; y = integral(f', 0, x) + 1"), "f(x) = x^2; y = integral(2*x, x, 0, x) + 1");
   EXPECT_EQ(written("y = 2∫_-1^{2x} sin t dt + 1"), "y = 2*integral(sin(t), t, -1, 2*x) + 1");
   EXPECT_EQ(written("y = ∫_0^x ∫_0^t cos(r) dr dt"), "y = integral(integral(cos(r), r, 0, t), t, 0, x)");
   EXPECT_EQ(written("r = ∫_0^θ θ dθ"), "r = integral(theta, theta, 0, theta); 0 <= theta <= 2*pi");

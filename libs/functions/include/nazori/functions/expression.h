@@ -103,7 +103,8 @@ struct Node {
   Variable variable = Variable::x;  ///< itself, or that of an integral
   Function function = Function::sin;
   std::vector<Expression> arguments;
-  std::shared_ptr<const Antiderivative> antiderivative{};  ///< of an integral: its values, computed when needed
+  std::shared_ptr<const Antiderivative>
+      antiderivative{};  ///< of an integral: its values, computed when needed
 };
 
 [[nodiscard]] Expression number(double value, bool exact = true);

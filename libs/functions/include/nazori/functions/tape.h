@@ -16,7 +16,8 @@ namespace nazori::functions {
 /// evaluations.
 ///
 /// One tape works with every kind of number: double and long double (NaN where undefined), decorated
-/// intervals, duals of all of these and Taylor coefficients. Immutable; thread-safe if each thread uses its own registers.
+/// intervals, duals of all of these and Taylor coefficients. Immutable; thread-safe if each thread uses its
+/// own registers.
 class Tape {
  public:
   /// @param outputs  the expressions, over `inputs` only; other variables count as undefined.
