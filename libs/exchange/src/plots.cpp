@@ -2,8 +2,10 @@
 #include "nazori/exchange/plots.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
+#include "nazori/functions/area.h"
 #include "nazori/functions/braille.h"
 #include "nazori/functions/curve_kinds.h"
 
@@ -19,6 +21,18 @@ std::string key_of(functions::PointKind kind) {
 }
 
 Value number_or_null(double v) { return std::isfinite(v) ? Value(v) : Value(nullptr); }
+
+Value name_or_null(const std::optional<std::string>& name) { return name ? Value(*name) : Value(nullptr); }
+
+/// Null where the area is not defined.
+Value area_json(const functions::Statement& s) {
+  const auto v = functions::area_value(s);
+  if (!v) return nullptr;
+  return {{"integral", v->integral},
+          {"integral_name", name_or_null(v->integral_name)},
+          {"area", v->area},
+          {"area_name", name_or_null(v->area_name)}};
+}
 
 Value point_json(const functions::PointOfInterest& p, functions::Language language,
                  functions::SpeechStyle style) {
@@ -49,12 +63,14 @@ Value to_json(const functions::Plot& plot, const functions::Picture& picture,
               functions::Language language, functions::SpeechStyle style) {
   Value statements = Value::array();
   for (const functions::Statement& s : plot.statements) {
-    statements.push_back(Value{{"kind", s.is_point ? "point" : kind_name(s.kind)},
-                               {"canonical", functions::canonical(s)},
-                               {"words", functions::in_words(s, language, style)},
-                               {"braille",
-                                {{"nemeth", functions::in_braille(s, functions::BrailleCode::nemeth)},
-                                 {"ueb", functions::in_braille(s, functions::BrailleCode::ueb)}}}});
+    Value statement = Value{{"kind", s.is_point ? "point" : kind_name(s.kind)},
+                            {"canonical", functions::canonical(s)},
+                            {"words", functions::in_words(s, language, style)},
+                            {"braille",
+                             {{"nemeth", functions::in_braille(s, functions::BrailleCode::nemeth)},
+                              {"ueb", functions::in_braille(s, functions::BrailleCode::ueb)}}}};
+    if (s.area) statement["area"] = area_json(s);
+    statements.push_back(std::move(statement));
   }
   Value list = Value::array();
   for (const auto& p : points) list.push_back(point_json(p, language, style));

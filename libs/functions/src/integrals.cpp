@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integrals: integral(t^2, t, 0, x), integral(f, 0, x) of a defined function, and ∫_0^x t^2 dt.
+// Integrals: integral(t^2, t, 0, x), integral(f, 0, x) of a defined function, and ∫_0^x t^2 dt. Areas:
+// area(x^2, 0, 2) and area(x^2, x, 0, 1).
+#include <cmath>
+#include <set>
 #include <utility>
 
 #include "parser.h"
@@ -108,6 +111,48 @@ Parser::Parsed Parser::integral_sign() {
   const Variable v = now().variable;
   ++at_;
   return integral_between(column, *integrand, v, std::move(*from), std::move(*to));
+}
+
+Parser::Parsed Parser::area_border() {
+  if (!stands_alone()) return sum();
+  const Token name = now();
+  ++at_;
+  Parsed body = function_body(name);
+  if (!body) return body;
+  return substitute(*body, definition(name.text)->variable, variable(Variable::x));
+}
+
+tl::expected<Relation, SyntaxError> Parser::area() {
+  Relation r;
+  r.column = now().column;
+  ++at_;
+  const Token open = now();
+  if (!is(TokenKind::open)) return refuse(SyntaxFault::area_form);
+  ++at_;
+  std::vector<Expression> all;
+  while (true) {
+    Parsed one = area_border();
+    if (!one) return tl::unexpected(std::move(one.error()));
+    all.push_back(std::move(*one));
+    if (!is(TokenKind::comma) && !is(TokenKind::semicolon)) break;
+    ++at_;
+  }
+  if (auto closed = close(open); !closed) return tl::unexpected(std::move(closed.error()));
+  const auto wrong = tl::unexpected(SyntaxError{r.column, SyntaxFault::area_form});
+  if (all.size() != 3 && all.size() != 4) return wrong;
+  Area area{all[0], all.size() == 4 ? all[1] : nullptr, all[all.size() - 2], all.back()};
+  for (const Expression& border : {area.first, area.second}) {
+    for (const Variable v : border ? variables_of(border) : std::set<Variable>{}) {
+      if (v != Variable::x) return wrong;
+    }
+  }
+  for (const Expression& end : {area.from, area.to}) {
+    if (!variables_of(end).empty() || !std::isfinite(constant_value(end))) return wrong;
+  }
+  if (constant_value(area.from) == constant_value(area.to)) return wrong;
+  r.terms = std::move(all);
+  r.area = std::move(area);
+  return r;
 }
 
 }  // namespace nazori::functions

@@ -235,6 +235,7 @@ tl::expected<Relation, SyntaxError> Parser::point() {
 
 tl::expected<Relation, SyntaxError> Parser::relation() {
   if (starts_point()) return point();
+  if (is(TokenKind::area)) return area();
   auto r = chain();
   while (r && is(TokenKind::both)) {
     ++at_;

@@ -21,6 +21,7 @@ struct Relation {
   bool either = false;                   ///< "or" stands before it, not ";"
   std::string name{};                    ///< of f(x) = ...: "f"
   bool is_point = false;                 ///< (1, 2): terms are x and y
+  std::optional<Area> area{};            ///< area(x^2, 0, 2)
 };
 
 /// What a text contains besides what is drawn.
@@ -148,6 +149,9 @@ class Parser {
   static Parsed integral_between(int column, const Expression& integrand, Variable v, Expression from,
                                  Expression to);
   [[nodiscard]] bool stands_alone();
+  /// A function of x: an expression, or the name of a defined function.
+  Parsed area_border();
+  tl::expected<Relation, SyntaxError> area();
   tl::expected<std::vector<Expression>, SyntaxError> argument_list();
   Parsed finish_call(const Token& name, std::vector<Expression> arguments, const Expression& base,
                      const Expression& power);

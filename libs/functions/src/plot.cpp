@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algebra.h"
+#include "area.h"
 #include "nazori/base/utf8.h"
 #include "nazori/functions/curve_kinds.h"
 #include "parser.h"
@@ -24,6 +25,9 @@ bool is_variable(const Expression& e, Variable v) {
 tl::unexpected<SyntaxError> refuse(const Relation& r, SyntaxFault fault, std::string subject = {}) {
   return tl::unexpected(SyntaxError{r.column, fault, std::move(subject)});
 }
+
+/// Of inequalities ";" and "or" may be meant; an area stands for itself.
+bool is_region(const Statement& s) { return s.kind == StatementKind::inequality && !s.area; }
 
 bool is_equation(const Relation& r) {
   return r.also.empty() && r.comparisons.size() == 1 && r.comparisons[0] == Comparison::equal;
@@ -59,8 +63,8 @@ class Reader {
       if (plot_.statements.size() > before) {
         Statement& added = plot_.statements.back();
         added.name = relations[i].name;
-        const bool both_are_regions = before > 0 && added.kind == StatementKind::inequality &&
-                                      plot_.statements[before - 1].kind == StatementKind::inequality;
+        const bool both_are_regions =
+            before > 0 && is_region(added) && is_region(plot_.statements[before - 1]);
         if (both_are_regions && !relations[i].either)
           plot_.questions.push_back({added.column, SyntaxFault::ask_both});
       }
@@ -194,6 +198,10 @@ class Reader {
       point.is_point = point.range_given = true;
       point.from = number(0);
       point.to = number(1);
+      return 1;
+    }
+    if (r.area) {
+      plot_.statements.push_back(area_statement(*r.area, r.column));
       return 1;
     }
     if (is_range_of(r, Variable::t) || is_range_of(r, Variable::theta)) {
@@ -377,6 +385,7 @@ RestrictedStatement without_conditions(const Statement& s) {
 
 std::string canonical(const Statement& typed) {
   const auto [s, conditions] = without_conditions(typed);
+  if (s.area) return area_text(*s.area);
   if (s.is_point) return "(" + to_text(s.terms[0]) + ", " + to_text(s.terms[1]) + ")";
   const CurveKind& kind = curve_kind(s.kind);
   std::string text;
@@ -400,8 +409,7 @@ std::string canonical(const Plot& plot) {
   std::string text;
   const Statement* before = nullptr;
   for (const Statement& s : plot.statements) {
-    const bool regions =
-        before != nullptr && before->kind == StatementKind::inequality && s.kind == StatementKind::inequality;
+    const bool regions = before != nullptr && is_region(*before) && is_region(s);
     text += (text.empty() ? "" : regions ? " or " : "; ") + canonical(s);
     before = &s;
   }

@@ -216,8 +216,10 @@ class Tokenizer {
   void bracket(TokenKind kind, char32_t c) {
     // The function before the innermost parenthesis decides whether a comma separates arguments.
     if (kind == TokenKind::open) {
-      const bool arguments = !tokens_.empty() && tokens_.back().kind == TokenKind::function &&
-                             takes_several(tokens_.back().function);
+      const bool arguments =
+          !tokens_.empty() &&
+          (tokens_.back().kind == TokenKind::area ||
+           (tokens_.back().kind == TokenKind::function && takes_several(tokens_.back().function)));
       argument_lists_.push_back(arguments || (c == U'{' && are_cases()));
     } else if (!argument_lists_.empty()) {
       argument_lists_.pop_back();
@@ -363,6 +365,10 @@ class Tokenizer {
     }
     if (open_integrals_ > 0 && run == U"d" && peek(length) == U'θ') {
       differential(2, Variable::theta);
+      return {};
+    }
+    if (run == U"area" && peek(length) == U'(') {
+      push(TokenKind::area, length);
       return {};
     }
     if (run == U"and" || run == U"or") {

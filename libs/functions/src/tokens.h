@@ -37,6 +37,7 @@ enum class TokenKind : std::uint8_t {
   prime,         ///< of a derivative; `value` counts them
   integral,      ///< the sign, or "int_"
   differential,  ///< behind it: dt
+  area,          ///< the word, in front of a parenthesis
   name,          ///< of a parameter or a function of the text: Token::text
   end
 };

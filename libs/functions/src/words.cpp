@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "area.h"
 #include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/plot.h"
 #include "restricted_statement.h"
@@ -348,6 +349,7 @@ std::string in_words(const Expression& expression, Language language, SpeechStyl
 }
 
 std::string in_words(const Statement& typed, Language language, SpeechStyle style) {
+  if (typed.area) return area_in_words(*typed.area, language, style);
   const RestrictedStatement restricted = without_conditions(typed);
   const Statement& s = restricted.plain;
   const bool english = language == Language::english;

@@ -37,6 +37,14 @@ enum class StatementKind : std::uint8_t {
   surface,         ///< z = f(x, y): terms[0] = f
 };
 
+/// The ends and borders of area(f, a, b).
+struct Area {
+  Expression first;   ///< in x
+  Expression second;  ///< in x; null: the x axis
+  Expression from;    ///< numbers
+  Expression to;
+};
+
 /// One thing to draw, as typed.
 struct Statement {
   StatementKind kind = StatementKind::explicit_y;
@@ -46,10 +54,11 @@ struct Statement {
   Expression to;
   bool from_is_open = false;  ///< for 0 < t: the end itself does not belong to the curve
   bool to_is_open = false;
-  bool range_given = false;  ///< false: the default 0 to 2 pi is used
-  int column = 1;            ///< where it starts in the text
-  std::string name{};        ///< of f(x) = ...: "f"; else empty
-  bool is_point = false;     ///< of parametric: typed as (1, 2), a single point
+  bool range_given = false;    ///< false: the default 0 to 2 pi is used
+  int column = 1;              ///< where it starts in the text
+  std::string name{};          ///< of f(x) = ...: "f"; else empty
+  bool is_point = false;       ///< of parametric: typed as (1, 2), a single point
+  std::optional<Area> area{};  ///< of inequality: typed as area(...); the terms are its region
 };
 
 /// A number with a name, "a = 2", that a slider can change: "0 <= a <= 3".
@@ -85,7 +94,8 @@ struct ParseOptions {
 /// A brace behind an expression restricts it, y = x^2 {0 <= x <= 2}; a brace with colons is cases, of which
 /// the first whose condition holds is taken: {x < 0: -x, x >= 0: x}. "and" joins conditions and inequalities,
 /// "or" separates inequalities. f(x) = a x^2 defines a function, a = 2 a parameter, 0 <= a <= 3 its range;
-/// f'(x) is the derivative.
+/// f'(x) is the derivative, integral(t^2, t, 0, x) or ∫_0^x t^2 dt an integral. area(x^2, 0, 2) is the region
+/// between a curve and the x axis, area(x^2, x, 0, 1) that between two curves.
 /// @param text  UTF-8 of at most 10,000 bytes, Unicode signs and full-width forms allowed.
 [[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {});
 
