@@ -46,7 +46,8 @@ bool fit(IntegralLeaf& leaf, const Taylor& f) {
   double power = reach;
   for (int n = 0; n <= Taylor::kOrder; ++n, power *= reach) {
     const auto k = static_cast<std::size_t>(n);
-    if (n > 0 && !is_usable(f.place[k - 1])) break;
+    // Beside a jump only the range holds.
+    if (n > 0 && (!range.is_continuous() || !is_usable(f.place[k - 1]))) break;
     if (!is_usable(f.box[k])) continue;
     const double error = f.box[k].width() / (n + 1) * power;
     if (error < least) least = error, best = n;

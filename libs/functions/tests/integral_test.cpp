@@ -85,6 +85,15 @@ const std::vector<Known>& table() {
       {"integral(t^t*(1+ln(t)), t, 1, x)", [](double x) { return std::pow(x, x) - 1; }, 0.1, 4},
       {"integral(atan2(t, 2), t, 0, x)", [](double x) { return x * std::atan2(x, 2) - log(1 + x * x / 4); },
        -5, 5},
+      {"integral(atan2(t, -1), t, -1, x)",
+       [](double x) {
+         const auto part = [](double u) {
+           return u * (std::numbers::pi - std::atan(u)) + log(1 + u * u) / 2;
+         };
+         return part(abs(x)) - part(1);
+       },
+       -3, 3},
+      {"integral(|t|/t, t, -1, x)", [](double x) { return abs(x) - 1; }, -3, 3},
       {"integral((t^2-1)/(t-1), t, 0, x)", [](double x) { return x * x / 2 + x; }, -3, 3},
       {"integral((1-cos(2t))/t, t, 0, x) - integral((1-cos(t))/t, t, 0, 2x)", [](double) { return 0.0; }, -9,
        9},
