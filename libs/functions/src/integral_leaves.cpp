@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostLeaves = 4096;
 constexpr std::size_t kMostLeavesNearZero = 512;
 constexpr double kNearZero = 1.0 / 16;
-constexpr std::size_t kMostLeavesFarOut = 128;
+constexpr std::size_t kMostLeavesFarOut = 1024;
 constexpr double kFarOut = 1024;
 // The remainder may be as large as the rounding of the other terms.
 constexpr double kTolerance = 1e-16;

@@ -221,8 +221,9 @@ SyntaxWords japanese(const SyntaxError& e) {
       return {"積分はこの形では書けません",
               "「integral(t^2, t, 0, x)」または「∫_0^x t^2 dt」の形で書いてください"};
     case SyntaxFault::area_form:
-      return {"面積はこの形では書けません",
-              "x の関数と異なる 2 つの数で「area(x^2, 0, 2)」または「area(x^2, x, 0, 1)」の形で書いてください"};
+      return {
+          "面積はこの形では書けません",
+          "x の関数と異なる 2 つの数で「area(x^2, 0, 2)」または「area(x^2, x, 0, 1)」の形で書いてください"};
     case SyntaxFault::other_variable_in_integral:
       return {"積分する関数に変数 " + e.closing + " が含まれています",
               "変数は " + e.subject + " だけにしてください"};

@@ -27,16 +27,16 @@ TEST(Area, HasItsIntegralAndItsSizeWithTheirNames) {
     double area;
     const char* area_name;
   };
-  for (const Known& k : std::vector<Known>{{"area(x^2, 0, 2)", 8.0 / 3, 8.0 / 3, "8/3"},
-                                           {"area(x^2, 2, 0)", -8.0 / 3, 8.0 / 3, "8/3"},
-                                           {"area(x^2, x, 0, 1)", -1.0 / 6, 1.0 / 6, "1/6"},
-                                           {"area(sin(x), 0, 2pi)", 0, 4, "4"},
-                                           {"area(sin(x), cos(x), pi/4, 5pi/4)", 2 * std::sqrt(2.0),
-                                            2 * std::sqrt(2.0), "2*sqrt(2)"},
-                                           {"area(floor(x), -1, 2)", 0, 2, "2"},
-                                           {"area(1/x, 1, 2)", std::log(2), std::log(2), "ln(2)"},
-                                           {"a = 3; area(a x, 0, 2)", 6, 6, "6"},
-                                           {"f(x) = x^3; g(t) = t; area(f, g, -1, 1)", 0, 0.5, "1/2"}}) {
+  for (const Known& k : std::vector<Known>{
+           {"area(x^2, 0, 2)", 8.0 / 3, 8.0 / 3, "8/3"},
+           {"area(x^2, 2, 0)", -8.0 / 3, 8.0 / 3, "8/3"},
+           {"area(x^2, x, 0, 1)", -1.0 / 6, 1.0 / 6, "1/6"},
+           {"area(sin(x), 0, 2pi)", 0, 4, "4"},
+           {"area(sin(x), cos(x), pi/4, 5pi/4)", 2 * std::sqrt(2.0), 2 * std::sqrt(2.0), "2*sqrt(2)"},
+           {"area(floor(x), -1, 2)", 0, 2, "2"},
+           {"area(1/x, 1, 2)", std::log(2), std::log(2), "ln(2)"},
+           {"a = 3; area(a x, 0, 2)", 6, 6, "6"},
+           {"f(x) = x^3; g(t) = t; area(f, g, -1, 1)", 0, 0.5, "1/2"}}) {
     const auto v = area_value(read(k.text).statements.back());
     ASSERT_TRUE(v) << k.text;
     EXPECT_NEAR(v->integral, k.integral, 1e-13) << k.text;
@@ -57,7 +57,8 @@ TEST(Area, IsTheRegionBetweenTheCurvesAndTheEnds) {
   ASSERT_TRUE(tracing);
   const auto is_filled = [&](double x, double y) {
     for (const Fill& f : tracing->fills) {
-      if (f.low.u <= window.u(x) && window.u(x) <= f.high.u && f.low.v <= window.v(y) && window.v(y) <= f.high.v)
+      if (f.low.u <= window.u(x) && window.u(x) <= f.high.u && f.low.v <= window.v(y) &&
+          window.v(y) <= f.high.v)
         return true;
     }
     return false;
@@ -98,9 +99,11 @@ TEST(Area, IsToldInTheSummary) {
   EXPECT_EQ(told("area(x^3, -1, 1)", Language::english),
             "the area between y equals x cubed and the x axis, for x from minus 1 to 1: 1 piece, area 1 over "
             "2, about 0.5, integral 0.");
-  EXPECT_EQ(told("area(x^2, 0, 2)", Language::japanese),
-            "y イコール x の 2 乗 と x 軸 の間の面積、x は 0 から 2 まで。1つの部分、面積 3 分の 8、約2.667。");
-  EXPECT_EQ(told("area(1/x, -1, 1)", Language::english).find(", area not defined.") != std::string::npos, true);
+  EXPECT_EQ(
+      told("area(x^2, 0, 2)", Language::japanese),
+      "y イコール x の 2 乗 と x 軸 の間の面積、x は 0 から 2 まで。1つの部分、面積 3 分の 8、約2.667。");
+  EXPECT_EQ(told("area(1/x, -1, 1)", Language::english).find(", area not defined.") != std::string::npos,
+            true);
 }
 
 TEST(Area, RefusesWhatHasNoEndsOrOtherVariables) {
