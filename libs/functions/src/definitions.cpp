@@ -226,7 +226,7 @@ Parser::Parsed Parser::named() {
     return tl::unexpected(std::move(error));
   }
   const std::size_t behind = std::exchange(at_, primes_at);
-  const Parsed body = function_body(name);
+  Parsed body = function_body(name);
   if (!body) return body;
   at_ = behind;
   const Expression& e = *body;

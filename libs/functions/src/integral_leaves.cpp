@@ -87,7 +87,7 @@ class BlockBuilder {
       const double width = leaf.outer - leaf.inner;
       leaf.is_coarse = !leaf.is_bad && width > width_ * 0x1p-24 &&
                        remainder(leaf) > kCoarse * leaf.range.magnitude() * width;
-      done_.push_back(std::move(leaf));
+      done_.push_back(leaf);
     }
     std::sort(done_.begin(), done_.end(),
               [](const IntegralLeaf& a, const IntegralLeaf& b) { return a.inner < b.inner; });
@@ -137,17 +137,17 @@ class BlockBuilder {
     if (!fits) {
       const bool nowhere = f.box[0].decoration == Decoration::undefined;
       if (nowhere || width <= narrowest_)
-        done_.push_back(std::move(leaf));
+        done_.push_back(leaf);
       else
-        open_.emplace(std::numeric_limits<double>::infinity(), std::move(leaf));
+        open_.emplace(std::numeric_limits<double>::infinity(), leaf);
       return;
     }
     const double error = remainder(leaf);
     const double fine = kTolerance * leaf.range.magnitude() * width;
     if (error <= std::max({fine, height_ * width_ * 0x1p-62, kVanishing * width}) || width <= narrowest_)
-      done_.push_back(std::move(leaf));
+      done_.push_back(leaf);
     else
-      open_.emplace(error, std::move(leaf));
+      open_.emplace(error, leaf);
   }
 
   const Tape& tape_;

@@ -78,6 +78,7 @@ TEST(Area, IsWrittenAndSaidAsItIsTyped) {
             "the area between y equals x squared and the x axis, for x from 0 to 2");
   EXPECT_EQ(in_words(p, Language::japanese), "y イコール x の 2 乗 と x 軸 の間の面積、x は 0 から 2 まで");
   EXPECT_EQ(in_braille(p, BrailleCode::nemeth), "⠮⠰⠴⠘⠆⠐⠳⠭⠘⠆⠐⠳⠙⠭");
+  EXPECT_EQ(canonical(read("area(x,0,1)")), "area(x, 0, 1)");
   const Plot two = read("area(x^2, x, 0, 1)");
   EXPECT_EQ(canonical(two), "area(x^2, x, 0, 1)");
   EXPECT_EQ(in_words(two, Language::english),

@@ -226,6 +226,8 @@ TEST(Integral, IsReadInEachOfItsForms) {
   EXPECT_EQ(written("y = 2∫_-1^{2x} sin t dt + 1"), "y = 2*integral(sin(t), t, -1, 2*x) + 1");
   EXPECT_EQ(written("y = ∫_0^x ∫_0^t cos(r) dr dt"), "y = integral(integral(cos(r), r, 0, t), t, 0, x)");
   EXPECT_EQ(written("r = ∫_0^θ θ dθ"), "r = integral(theta, theta, 0, theta); 0 <= theta <= 2*pi");
+  // Its commas separate also between two digits.
+  EXPECT_EQ(written("y = integral(t,t,0,1)"), "y = integral(t, t, 0, 1)");
   EXPECT_EQ(written("y = ∫_0^x dt"), "y = integral(1, t, 0, x)");
 }
 
