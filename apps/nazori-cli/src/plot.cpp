@@ -363,7 +363,8 @@ void add_plot(CLI::App& app, Action& chosen) {
       "Examples:\n  nazori-cli plot 'y = tan(x); y = 1' --window=-6,6,-4,4 --output tan.png --points\n"
       "  nazori-cli plot 'r = 1 + cos(theta)' --window=-1,3,-2,2 --sound heart.wav --json\n"
       "  nazori-cli plot 'y ~ a x + b' --data measured.csv\n"
-      "  nazori-cli plot '([0, 1, 2], [1, 2, 5]); y ~ a e^(b x)'");
+      "  nazori-cli plot '([0, 1, 2], [1, 2, 5]); y ~ a e^(b x)'\n"
+      "  nazori-cli plot 'y = integral(sin(t)/t, t, 0, x); area(x^2, 0, 2)' --points");
   verb->callback([s, &chosen] { chosen = [s](Console& console) { return run(console, *s); }; });
 }
 

@@ -2,8 +2,10 @@
 #include "nazori/exchange/plots.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
+#include "nazori/functions/area.h"
 #include "nazori/functions/braille.h"
 #include "nazori/functions/curve_kinds.h"
 
@@ -19,6 +21,18 @@ std::string key_of(functions::PointKind kind) {
 }
 
 Value number_or_null(double v) { return std::isfinite(v) ? Value(v) : Value(nullptr); }
+
+Value name_or_null(const std::optional<std::string>& name) { return name ? Value(*name) : Value(nullptr); }
+
+/// Null where the area is not defined.
+Value area_json(const functions::Statement& s) {
+  const auto v = functions::area_value(s);
+  if (!v) return nullptr;
+  return {{"integral", v->integral},
+          {"integral_name", name_or_null(v->integral_name)},
+          {"area", v->area},
+          {"area_name", name_or_null(v->area_name)}};
+}
 
 Value point_json(const functions::PointOfInterest& p, functions::Language language,
                  functions::SpeechStyle style) {
@@ -66,6 +80,7 @@ Value statement_json(const functions::Statement& s, functions::Language language
   if (s.typed) statement["typed"] = functions::canonical(*s.typed);
   if (s.typed && !s.fit) statement["element"] = s.element + 1;
   if (s.fit) statement["fit"] = fit_json(*s.fit);
+  if (s.area) statement["area"] = area_json(s);
   return statement;
 }
 

@@ -337,6 +337,18 @@ TEST(WholeDocument, OfAPlotNamesItsWindowStatementsAndTimes) {
   EXPECT_NEAR(surface["z"][1].get<double>(), 10, 0.2);
 }
 
+TEST(WholeDocument, OfAPlotTellsTheSizeOfAnAreaOnly) {
+  const Value json = plot_document("area(x^3, -1, 2); area(1/x, -1, 1); y = x", {});
+  const Value& area = json["statements"][0]["area"];
+  EXPECT_NEAR(area["integral"].get<double>(), 3.75, 1e-13);
+  EXPECT_EQ(area["integral_name"], "15/4");
+  EXPECT_NEAR(area["area"].get<double>(), 4.25, 1e-13);
+  EXPECT_EQ(area["area_name"], "17/4");
+  ASSERT_TRUE(json["statements"][1].contains("area"));
+  EXPECT_TRUE(json["statements"][1]["area"].is_null()) << "across a pole it is not defined";
+  EXPECT_FALSE(json["statements"][2].contains("area"));
+}
+
 TEST(WholeDocument, OfAPlotHasForEachPointWhatItsKindHas) {
   functions::PointOfInterest crossing;
   crossing.kind = functions::PointKind::crossing;

@@ -203,6 +203,7 @@ bool is_total(const Expression& e) {
         case Function::abs:
         case Function::min:
         case Function::max:
+        case Function::integral:
           return inside;
         default:
           return false;
@@ -219,7 +220,9 @@ Expression replaced(const Expression& e, const Expression& from, const std::stri
   if (e->kind == from->kind && to_text(e) == from_text) return to;
   if (e->arguments.empty()) return e;
   Node n = *e;
-  for (Expression& a : n.arguments) a = replaced(a, from, from_text, to);
+  // What is under an integral is another function than outside.
+  for (std::size_t i = is_integral(n) ? 1 : 0; i < n.arguments.size(); ++i)
+    n.arguments[i] = replaced(n.arguments[i], from, from_text, to);
   return std::make_shared<const Node>(std::move(n));
 }
 
@@ -228,8 +231,8 @@ Expression first_choice(const Expression& e) {
   if (e->kind == NodeKind::function &&
       (e->function == Function::abs || e->function == Function::min || e->function == Function::max))
     return e;
-  for (const Expression& a : e->arguments) {
-    if (Expression found = first_choice(a)) return found;
+  for (std::size_t i = is_integral(*e) ? 1 : 0; i < e->arguments.size(); ++i) {
+    if (Expression found = first_choice(e->arguments[i])) return found;
   }
   return nullptr;
 }

@@ -19,7 +19,7 @@ bool is_border(const Expression& e, Variable parameter, double t) {
     const Expression gap = binary(NodeKind::subtract, e->arguments[0], e->arguments[1]);
     if (constant_value(substitute(gap, parameter, number(t))) == 0) return true;
   }
-  return std::any_of(e->arguments.begin(), e->arguments.end(),
+  return std::any_of(e->arguments.begin() + (is_integral(*e) ? 1 : 0), e->arguments.end(),
                      [&](const Expression& a) { return is_border(a, parameter, t); });
 }
 

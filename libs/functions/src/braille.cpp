@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "area.h"
 #include "braille_writer.h"
 #include "nazori/functions/curve_kinds.h"
 #include "restricted_statement.h"
@@ -49,6 +50,8 @@ std::string in_braille(const Statement& typed, BrailleCode code) {
   if (typed.fit) return in_braille(*typed.typed, code) + lines_of(*typed.fit, code);
   BrailleWriter writer(code);
   BrailleCells& cells = writer.cells();
+  // The area as a number; its region is what it is of.
+  if (typed.area) return in_braille(area_integral(*typed.area), code);
   const auto [s, conditions] = without_conditions(typed);
   if (s.is_point) {
     cells.put(cells.signs().open);

@@ -96,8 +96,7 @@ void BrailleCells::number(double v, bool numeric_indicator) {
 
 void BrailleCells::return_to_level() {
   if (!is_nemeth() || level_ == wanted_level_) return;
-  if (wanted_level_ == 0) text_ += "⠐";
-  for (int i = 0; i < wanted_level_; ++i) text_ += "⠘";
+  text_ += wanted_level_.empty() ? "⠐" : wanted_level_;
   level_ = wanted_level_;
 }
 

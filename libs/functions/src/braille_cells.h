@@ -45,20 +45,25 @@ class BrailleCells {
   void comma(bool enclosed);
   void number(double v, bool numeric_indicator = true);
 
-  void go_up() { ++wanted_level_; }
-  void go_down() { --wanted_level_; }
-  [[nodiscard]] bool is_up() const { return wanted_level_ > 0; }
+  void go_up() { wanted_level_ += kUp; }
+  void go_below() { wanted_level_ += kBelow; }
+  /// Leaves the level of the last go_up() or go_below().
+  void go_back() { wanted_level_.resize(wanted_level_.size() - kUp.size()); }
+  [[nodiscard]] bool is_up() const { return !wanted_level_.empty(); }
 
   [[nodiscard]] std::string text() && { return std::move(text_); }
 
  private:
-  /// The level indicator in front of a sign: superscript or baseline (§ 74, § 80).
+  static constexpr std::string_view kUp = "⠘";
+  static constexpr std::string_view kBelow = "⠰";
+
+  /// The level indicator in front of a sign: superscript, subscript or baseline (§ 74, § 80).
   void return_to_level();
 
   BrailleCode code_;
   std::string text_;
-  int level_ = 0;
-  int wanted_level_ = 0;
+  std::string level_;  ///< its indicators; empty on the baseline
+  std::string wanted_level_;
   bool after_space_ = true;
   bool after_digit_ = false;
 };

@@ -166,7 +166,7 @@ void BrailleWriter::product(const Node& n, bool followed, bool follows_operation
     if (cells_.is_nemeth()) {
       cells_.go_up();
       cells_.put("⠨⠡");
-      cells_.go_down();
+      cells_.go_back();
     } else {
       cells_.put("⠘⠚");
     }
@@ -217,9 +217,14 @@ void BrailleWriter::exponent(const Expression& e) {
   if (cells_.is_nemeth()) {
     cells_.go_up();
     write(e);
-    return cells_.go_down();
+    return cells_.go_back();
   }
   cells_.put("⠔");
+  item(e);
+}
+
+/// In UEB an indicator holds for one item: a letter, a number, a fraction or what is grouped.
+void BrailleWriter::item(const Expression& e) {
   const bool single = is_atom(e) || e->kind == NodeKind::divide;
   if (!single) cells_.put("⠣");
   write(e);
@@ -374,6 +379,8 @@ void BrailleWriter::function(const Node& n, bool followed) {
     case Function::list:
     case Function::range:
       return list(n);
+    case Function::integral:
+      return integral(n, followed);
     case Function::where:
     case Function::choose:
       cells_.put(s.open_brace);

@@ -48,6 +48,8 @@ class BrailleWriter {
   void cases(const Node& n);
   /// [1, 2, 3]; of a range [1, 3, ..., 9].
   void list(const Node& n);
+  void integral(const Node& n, bool followed);
+  void item(const Expression& e);
   void between(std::string_view open, const Expression& e, std::string_view close);
   void function(const Node& n, bool followed);
 

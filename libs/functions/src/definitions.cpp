@@ -208,18 +208,31 @@ Parser::Parsed Parser::parameter_value(const std::string& letter) {
   return parameter(letter, p->value, is_exact(d->body, *rational));
 }
 
+Parser::Parsed Parser::function_body(const Token& name) {
+  int primes = 0;
+  for (; is(TokenKind::prime); ++at_) primes += static_cast<int>(now().value);
+  if (primes > kMostPrimes) return refuse(SyntaxFault::nested_too_deep);
+  Parsed body = body_of(*definition(name.text));
+  if (!body) return body;
+  Expression e = *body;
+  for (int i = 0; i < primes; ++i) {
+    e = slope_of(e, definition(name.text)->variable);
+    if (!e) return tl::unexpected(SyntaxError{name.column, SyntaxFault::no_derivative, name.text});
+  }
+  return e;
+}
+
 Parser::Parsed Parser::named() {
   const Token name = now();
   ++at_;
-  Definition* const d = definition(name.text);
+  const Definition* const d = definition(name.text);
   if (d == nullptr && range_of(name.text) == nullptr) {
     if (in_model_) return free_letter(name.text);
     return tl::unexpected(SyntaxError{name.column, SyntaxFault::unknown_name, name.text});
   }
   if (d == nullptr || !d->is_function) return parameter_value(name.text);
-  int primes = 0;
-  for (; is(TokenKind::prime); ++at_) primes += static_cast<int>(now().value);
-  if (primes > kMostPrimes) return refuse(SyntaxFault::nested_too_deep);
+  const std::size_t primes_at = at_;
+  while (is(TokenKind::prime)) ++at_;
   if (!is(TokenKind::open)) return refuse(SyntaxFault::argument_missing, name.text);
   const Nesting nesting(depth_);
   if (depth_ > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
@@ -231,13 +244,11 @@ Parser::Parsed Parser::named() {
     error.wanted = 1;
     return tl::unexpected(std::move(error));
   }
-  Parsed body = body_of(*definition(name.text));
+  const std::size_t behind = std::exchange(at_, primes_at);
+  Parsed body = function_body(name);
   if (!body) return body;
-  Expression e = *body;
-  for (int i = 0; i < primes; ++i) {
-    e = slope_of(e, d->variable);
-    if (!e) return tl::unexpected(SyntaxError{name.column, SyntaxFault::no_derivative, name.text});
-  }
+  at_ = behind;
+  const Expression& e = *body;
   const std::size_t size = count_up_to((*arguments)[0], kMostParts);
   if (is_too_large(e) || occurrences(e, d->variable) * size > kMostParts)
     return tl::unexpected(SyntaxError{name.column, SyntaxFault::too_many_parts});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra.h"
+#include "complete_cases.h"
 
 namespace nazori::functions {
 namespace {
@@ -177,11 +178,48 @@ class Differentiator {
         const Expression sum = plus(of(a[0]), of(a[1]));
         return over(n.function == Function::min ? minus(sum, bend) : plus(sum, bend), number(2));
       }
+      case Function::integral:
+        return minus(at_end(n, a[2]), at_end(n, a[1]));
       case Function::atan2:
         return over(minus(times(a[1], of(a[0])), times(a[0], of(a[1]))),
                     binary(NodeKind::add, squared(a[0]), squared(a[1])));
       default:
         return nullptr;
+    }
+  }
+
+  /// The slope of an integral that comes from one of its ends.
+  Expression at_end(const Node& n, const Expression& end) {
+    Expression height = with_complete_cases(n.arguments[0], n.variable);
+    if (exact_) height = without_steps(height, n.variable);
+    return times(substitute(height, n.variable, end), of(end));
+  }
+
+  /// An integral has a corner where the function under it jumps: without these places.
+  Expression without_steps(const Expression& e, Variable v) const {
+    if (e->arguments.empty() || is_integral(*e)) return e;
+    Node n = *e;
+    for (Expression& a : n.arguments) a = without_steps(a, v);
+    if (n.kind != NodeKind::function) return std::make_shared<const Node>(std::move(n));
+    const Expression& u = n.arguments[0];
+    const Expression plain = std::make_shared<const Node>(n);
+    switch (n.function) {
+      case Function::sign:
+        return where_above(call(Function::abs, {u}), number(0), plain);
+      case Function::floor:
+        return where_above(u, plain, plain);
+      case Function::ceil:
+        return where_above(plain, u, plain);
+      case Function::where:
+        return call(Function::where, {inside(u), n.arguments[1]});
+      case Function::choose: {
+        const Expression border = border_of(u, v);
+        if (border && agree(n.arguments[1], n.arguments[2], v, border)) return plain;
+        return call(Function::choose, {inside(u), n.arguments[1],
+                                       call(Function::where, {inside(opposite(u)), n.arguments[2]})});
+      }
+      default:
+        return plain;
     }
   }
 
@@ -259,20 +297,26 @@ class Differentiator {
   /// that the slope exists.
   [[nodiscard]] bool meets(const Expression& condition, const Expression& yes, const Expression& no,
                            const Expression& first, const Expression& second) const {
-    if (condition->function > Function::greater_equal) return false;
+    const Expression border = border_of(condition, variable_);
+    return border && agree(yes, no, variable_, border) && agree(first, second, variable_, border);
+  }
+
+  /// The number that a condition compares the variable with, or null.
+  static Expression border_of(const Expression& condition, Variable v) {
+    if (condition->function > Function::greater_equal) return nullptr;
     const auto& a = condition->arguments;
-    const auto is_variable = [this](const Expression& e) {
-      return e->kind == NodeKind::variable && e->variable == variable_;
+    const auto is_variable = [v](const Expression& e) {
+      return e->kind == NodeKind::variable && e->variable == v;
     };
-    if (!is_variable(a[0]) && !is_variable(a[1])) return false;
-    const Expression& border = a[is_variable(a[0]) ? 1 : 0];
-    if (!variables_of(border).empty()) return false;
-    const auto agree = [&](const Expression& p, const Expression& q) {
-      const double v = constant_value(substitute(p, variable_, border));
-      const double w = constant_value(substitute(q, variable_, border));
-      return std::abs(v - w) <= 1e-12 * (1 + std::abs(v));
-    };
-    return agree(yes, no) && agree(first, second);
+    if (!is_variable(a[0]) && !is_variable(a[1])) return nullptr;
+    Expression border = a[is_variable(a[0]) ? 1 : 0];
+    return variables_of(border).empty() ? border : nullptr;
+  }
+
+  static bool agree(const Expression& p, const Expression& q, Variable v, const Expression& place) {
+    const double at_p = constant_value(substitute(p, v, place));
+    const double at_q = constant_value(substitute(q, v, place));
+    return std::abs(at_p - at_q) <= 1e-12 * (1 + std::abs(at_p));
   }
 
   Variable variable_;

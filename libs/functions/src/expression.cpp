@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
+#include "antiderivative.h"
 #include "nazori/functions/tape.h"
 #include "strength.h"
 
@@ -16,12 +18,12 @@ namespace {
 
 constexpr std::int64_t kMostRational = 1'000'000'000'000;
 
-constexpr std::array<std::string_view, 53> kFunctionNames{
+constexpr std::array<std::string_view, 54> kFunctionNames{
     "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",   "acos",  "atan",  "acot",  "sinh",
     "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh",  "atanh", "exp",   "ln",    "log",
     "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",   "floor", "ceil",  "round", "trunc",
     "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",    "atan2", "hypot", "<",     "<=",
-    ">",    ">=",    "=",         "and",  "or",   "where", "choose", "list",  "range"};
+    ">",    ">=",    "=",         "and",  "or",   "where", "choose", "list",  "range", "integral"};
 
 std::string wrapped(const Expression& e, int least) {
   std::string text = to_text(e);
@@ -244,16 +246,37 @@ Expression call(Function function, std::vector<Expression> arguments) {
   return std::make_shared<const Node>(std::move(n));
 }
 
+Expression integral(Expression integrand, Variable v, Expression from, Expression to) {
+  Node n;
+  n.kind = NodeKind::function;
+  n.function = Function::integral;
+  n.variable = v;
+  n.antiderivative = std::make_shared<const Antiderivative>(integrand, v);
+  n.arguments = {std::move(integrand), std::move(from), std::move(to)};
+  return std::make_shared<const Node>(std::move(n));
+}
+
+bool is_integral(const Node& n) { return n.kind == NodeKind::function && n.function == Function::integral; }
+
+namespace {
+
+/// What the value at a place is computed from: of an integral its ends.
+std::span<const Expression> parts_at_a_place(const Node& n) {
+  return std::span(n.arguments).subspan(is_integral(n) ? 1 : 0);
+}
+
+}  // namespace
+
 std::set<Variable> variables_of(const Expression& e) {
   if (e->kind == NodeKind::variable) return {e->variable};
   std::set<Variable> all;
-  for (const Expression& a : e->arguments) all.merge(variables_of(a));
+  for (const Expression& a : parts_at_a_place(*e)) all.merge(variables_of(a));
   return all;
 }
 
 bool depends_on(const Expression& e, Variable v) {
   if (e->kind == NodeKind::variable) return e->variable == v;
-  for (const Expression& a : e->arguments) {
+  for (const Expression& a : parts_at_a_place(*e)) {
     if (depends_on(a, v)) return true;
   }
   return false;
@@ -263,7 +286,7 @@ Expression substitute(const Expression& e, Variable from, const Expression& to) 
   if (e->kind == NodeKind::variable) return e->variable == from ? to : e;
   if (!depends_on(e, from)) return e;
   Node n = *e;
-  for (Expression& a : n.arguments) a = substitute(a, from, to);
+  for (Expression& a : std::span(n.arguments).subspan(is_integral(n) ? 1 : 0)) a = substitute(a, from, to);
   return std::make_shared<const Node>(std::move(n));
 }
 
@@ -360,7 +383,10 @@ std::string to_text(const Expression& e) {
   if (n.function == Function::factorial) return wrapped(n.arguments[0], 5) + "!";
   std::string text(name_of(n.function));
   text += "(";
-  for (std::size_t i = 0; i < n.arguments.size(); ++i) text += (i == 0 ? "" : ", ") + to_text(n.arguments[i]);
+  for (std::size_t i = 0; i < n.arguments.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + to_text(n.arguments[i]);
+    if (i == 0 && is_integral(n)) text += ", " + std::string(name_of(n.variable));
+  }
   return text + ")";
 }
 
@@ -398,7 +424,7 @@ Expression reduced(const Expression& e) {
   std::vector<Expression> arguments;
   arguments.reserve(e->arguments.size());
   for (const Expression& a : e->arguments) arguments.push_back(reduced(a));
-  if (e->kind == NodeKind::function) return reduced_call(e->function, arguments);
+  if (e->kind == NodeKind::function && !is_integral(*e)) return reduced_call(e->function, arguments);
   Node n = *e;
   n.arguments = std::move(arguments);
   return std::make_shared<const Node>(std::move(n));

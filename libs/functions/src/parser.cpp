@@ -93,6 +93,7 @@ bool Parser::starts_operand() const {
     case TokenKind::function:
     case TokenKind::root:
     case TokenKind::name:
+    case TokenKind::integral:
       return true;
     case TokenKind::open:
       return brace() != Brace::restriction;
@@ -254,6 +255,7 @@ tl::expected<Relation, SyntaxError> Parser::point() {
 
 tl::expected<Relation, SyntaxError> Parser::relation() {
   if (starts_point()) return point();
+  if (is(TokenKind::area)) return area();
   auto r = chain();
   while (r && is(TokenKind::both)) {
     ++at_;
@@ -368,7 +370,9 @@ Parser::Parsed Parser::operand() {
     case TokenKind::bar:
       return bars();
     case TokenKind::function:
-      return function_call();
+      return token.function == Function::integral ? integral_call() : function_call();
+    case TokenKind::integral:
+      return integral_sign();
     case TokenKind::root: {
       ++at_;
       const Nesting nesting(depth_);

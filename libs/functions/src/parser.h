@@ -22,6 +22,7 @@ struct Relation {
   std::string name{};                    ///< of f(x) = ...: "f"
   bool is_point = false;                 ///< (1, 2): terms are x and y
   bool is_model = false;                 ///< y ~ a x + b: terms are both sides
+  std::optional<Area> area{};            ///< area(x^2, 0, 2)
 };
 
 /// What a text contains besides what is drawn.
@@ -124,6 +125,8 @@ class Parser {
   Parsed named_list(const Definition& d, const Expression& typed);
   /// Of a function whose value is a list, the slope of each element.
   static Expression slope_of(const Expression& e, Variable v);
+  /// What f, f', f'' computes from its variable; `name` was consumed.
+  Parsed function_body(const Token& name);
   /// In the order of the text, not of their first use.
   void sort_definitions();
   /// Takes "a = 2" and "0 <= a <= 3". @return whether it did.
@@ -151,6 +154,16 @@ class Parser {
   Parsed list();
   Parsed function_call();
   Parsed bare_argument();
+  Parsed integral_call();
+  Parsed integral_sign();
+  Parsed integral_argument();
+  Parsed integral_end();
+  static Parsed integral_between(int column, const Expression& integrand, Variable v, Expression from,
+                                 Expression to);
+  [[nodiscard]] bool stands_alone();
+  /// A function of x: an expression, or the name of a defined function.
+  Parsed area_border();
+  tl::expected<Relation, SyntaxError> area();
   tl::expected<std::vector<Expression>, SyntaxError> argument_list();
   Parsed finish_call(const Token& name, std::vector<Expression> arguments, const Expression& base,
                      const Expression& power);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algebra.h"
+#include "area.h"
 #include "lists.h"
 #include "regression_model.h"
 #include "nazori/base/utf8.h"
@@ -26,6 +27,9 @@ bool is_variable(const Expression& e, Variable v) {
 tl::unexpected<SyntaxError> refuse(const Relation& r, SyntaxFault fault, std::string subject = {}) {
   return tl::unexpected(SyntaxError{r.column, fault, std::move(subject)});
 }
+
+/// Of inequalities ";" and "or" may be meant; an area stands for itself.
+bool is_region(const Statement& s) { return s.kind == StatementKind::inequality && !s.area; }
 
 bool is_equation(const Relation& r) {
   return r.also.empty() && r.comparisons.size() == 1 && r.comparisons[0] == Comparison::equal;
@@ -63,8 +67,8 @@ class Reader {
       if (plot_.statements.size() > before) {
         Statement& added = plot_.statements.back();
         added.name = relations[i].name;
-        const bool both_are_regions = before > 0 && added.kind == StatementKind::inequality &&
-                                      plot_.statements[before - 1].kind == StatementKind::inequality;
+        const bool both_are_regions =
+            before > 0 && is_region(added) && is_region(plot_.statements[before - 1]);
         if (both_are_regions && !relations[i].either)
           plot_.questions.push_back({added.column, SyntaxFault::ask_both});
       }
@@ -210,6 +214,10 @@ class Reader {
       return 1;
     }
     if (r.is_model) return model(r);
+    if (r.area) {
+      plot_.statements.push_back(area_statement(*r.area, r.column));
+      return 1;
+    }
     if (is_range_of(r, Variable::t) || is_range_of(r, Variable::theta)) {
       return refuse(r, SyntaxFault::range_misplaced);
     }
@@ -406,6 +414,7 @@ RestrictedStatement without_conditions(const Statement& s) {
 
 std::string canonical(const Statement& typed) {
   const auto [s, conditions] = without_conditions(typed);
+  if (s.area) return area_text(*s.area);
   if (s.is_point) return "(" + to_text(s.terms[0]) + ", " + to_text(s.terms[1]) + ")";
   const CurveKind& kind = curve_kind(s.kind);
   std::string text;
@@ -431,8 +440,7 @@ std::string canonical(const Plot& plot) {
   for (const Statement& one : plot.statements) {
     if (one.element > 0) continue;
     const Statement& s = one.typed ? *one.typed : one;
-    const bool regions =
-        before != nullptr && before->kind == StatementKind::inequality && s.kind == StatementKind::inequality;
+    const bool regions = before != nullptr && is_region(*before) && is_region(s);
     text += (text.empty() ? "" : regions ? " or " : "; ") + canonical(s);
     before = &one;
   }

@@ -8,8 +8,10 @@
 
 #include "algebra.h"
 #include "far_out.h"
+#include "nazori/functions/area.h"
 #include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/points.h"
+#include "spoken_value.h"
 
 namespace nazori::functions {
 namespace {
@@ -51,21 +53,6 @@ std::string four_digits(double v) {
   std::string digits = fmt::format("{:.{}f}", v, static_cast<int>(3 - std::floor(std::log10(v))));
   digits.erase(digits.find_last_not_of('0') + 1);
   return digits;
-}
-
-/// Four significant digits, "minus" in words for listeners; an exact name comes first.
-std::string spoken(double v, const std::string& name, Language language,
-                   SpeechStyle style = SpeechStyle::verbose) {
-  const bool english = language == Language::english;
-  const double shown = std::abs(v) < 1e-12 ? 0 : v;
-  const std::string sign = shown < 0 ? (english ? "minus " : "マイナス") : "";
-  const std::string digits = sign + four_digits(std::abs(shown));
-  if (name.empty()) return (english ? "about " : "約") + digits;
-  const bool plain = name.find_first_not_of("-0123456789") == std::string::npos;
-  if (plain) return sign + (name[0] == '-' ? name.substr(1) : name);
-  const auto parsed = parse(name);
-  const std::string words = parsed ? in_words(parsed->statements[0].terms[0], language, style) : name;
-  return english ? words + ", about " + digits : words + "、約" + digits;
 }
 
 /// A line y = m x + b.
@@ -158,6 +145,19 @@ std::string far_in_words(const Plot& plot, Language language, SpeechStyle style)
 
 }  // namespace
 
+std::string spoken(double v, const std::string& name, Language language, SpeechStyle style) {
+  const bool english = language == Language::english;
+  const double shown = std::abs(v) < 1e-12 ? 0 : v;
+  const std::string sign = shown < 0 ? (english ? "minus " : "マイナス") : "";
+  const std::string digits = sign + four_digits(std::abs(shown));
+  if (name.empty()) return (english ? "about " : "約") + digits;
+  const bool plain = name.find_first_not_of("-0123456789") == std::string::npos;
+  if (plain) return sign + (name[0] == '-' ? name.substr(1) : name);
+  const auto parsed = parse(name);
+  const std::string words = parsed ? in_words(parsed->statements[0].terms[0], language, style) : name;
+  return english ? words + ", about " + digits : words + "、約" + digits;
+}
+
 std::string in_words(PointKind kind, Language language) {
   const KindWords& words = kKinds[static_cast<std::size_t>(kind)];
   return std::string(language == Language::english ? words.one : words.japanese);
@@ -207,6 +207,7 @@ std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<
       text += english ? fmt::format(", {} {}", count, count == 1 ? words.one : words.many)
                       : fmt::format("、{} {}個", words.japanese, count);
     }
+    text += areas_in_words(plot, language, style);
     if (!empty) text += far_in_words(plot, language, style);
     if (tracing.dense) text += english ? ", a dense band" : "、密な帯";
     if (!tracing.complete) text += english ? ", not finished yet" : "、まだ途中です";

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "area.h"
 #include "lists.h"
 #include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/plot.h"
@@ -91,6 +92,7 @@ std::string data_words(const Statement& s, Language language) {
 }  // namespace
 
 std::string in_words(const Statement& typed, Language language, SpeechStyle style) {
+  if (typed.area) return area_in_words(*typed.area, language, style);
   if (typed.fit) return in_words(*typed.typed, language, style) + fit_words(*typed.fit, language);
   if (typed.is_data) return data_words(typed, language);
   const RestrictedStatement restricted = without_conditions(typed);

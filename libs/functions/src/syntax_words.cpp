@@ -91,6 +91,14 @@ SyntaxWords english(const SyntaxError& e) {
       return {"the condition contains " + e.subject, "expected x, y and t"};
     case SyntaxFault::outside_its_range:
       return {"the value of " + quoted + " is outside its range", "expected a value inside the range"};
+    case SyntaxFault::integral_form:
+      return {"an integral is not written like this", "expected integral(t^2, t, 0, x) or ∫_0^x t^2 dt"};
+    case SyntaxFault::area_form:
+      return {"an area is not written like this",
+              "expected functions of x and two different numbers, area(x^2, 0, 2) or area(x^2, x, 0, 1)"};
+    case SyntaxFault::other_variable_in_integral:
+      return {"the function under the integral contains " + e.closing,
+              "expected no variable but " + e.subject};
     case SyntaxFault::no_derivative:
       return {"the derivative of " + quoted + " is not known",
               "expected a function without gamma or factorial"};
@@ -236,6 +244,16 @@ SyntaxWords japanese(const SyntaxError& e) {
       return {"条件に " + e.subject + " が入っています", "x、y、t だけを使ってください"};
     case SyntaxFault::outside_its_range:
       return {quoted + "の値が範囲の外にあります", "範囲の中の値にしてください"};
+    case SyntaxFault::integral_form:
+      return {"積分はこの形では書けません",
+              "「integral(t^2, t, 0, x)」または「∫_0^x t^2 dt」の形で書いてください"};
+    case SyntaxFault::area_form:
+      return {
+          "面積はこの形では書けません",
+          "x の関数と異なる 2 つの数で「area(x^2, 0, 2)」または「area(x^2, x, 0, 1)」の形で書いてください"};
+    case SyntaxFault::other_variable_in_integral:
+      return {"積分する関数に変数 " + e.closing + " が含まれています",
+              "変数は " + e.subject + " だけにしてください"};
     case SyntaxFault::no_derivative:
       return {quoted + "の導関数が分かりません", "ガンマ関数や階乗のない関数にしてください"};
     case SyntaxFault::too_many_parts:

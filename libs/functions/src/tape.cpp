@@ -8,6 +8,9 @@
 #include <optional>
 #include <type_traits>
 
+#include "antiderivative.h"
+#include "taylor.h"
+
 namespace nazori::functions {
 namespace {
 
@@ -95,6 +98,14 @@ template <class R>
 struct Undefined<BasicInterval<R>> {
   static BasicInterval<R> make() { return BasicInterval<R>::empty(); }
 };
+template <>
+struct ConstantOf<Taylor> {
+  static Taylor make(double /*value*/, double lower, double upper) { return {Interval(lower, upper)}; }
+};
+template <>
+struct Undefined<Taylor> {
+  static Taylor make() { return {Interval::empty()}; }
+};
 template <class T, int N>
 struct Undefined<Dual<T, N>> {
   static Dual<T, N> make() { return Dual<T, N>(Undefined<T>::make()); }
@@ -136,6 +147,7 @@ class Tape::Builder {
     }
     // A list has no single value.
     if (is_list(n.function)) return push({Op::undefined, 0, 0, 0, 1, 0, 0, 0, 0});
+    if (n.function == Function::integral) return integral(n);
     if (n.function >= Function::less) return cases(n);
     const auto op = op_of(n.function);
     if (!op) return add(reduced(e));
@@ -180,6 +192,14 @@ class Tape::Builder {
     const auto found = std::find(inputs_.begin(), inputs_.end(), v);
     if (found == inputs_.end()) return push({Op::undefined, 0, 0, 0, 1, 0, 0, 0, 0});
     return push({Op::input, static_cast<std::uint32_t>(found - inputs_.begin()), 0, 0, 1, 0, 0, 0, 0});
+  }
+
+  std::uint32_t integral(const Node& n) {
+    auto& all = tape_.integrals_;
+    auto known = std::find(all.begin(), all.end(), n.antiderivative);
+    if (known == all.end()) known = all.insert(all.end(), n.antiderivative);
+    return step(Op::integral, add(n.arguments[1]), add(n.arguments[2]),
+                static_cast<int>(known - all.begin()));
   }
 
   /// Conditions, and values that depend on one.
@@ -388,6 +408,9 @@ void Tape::evaluate(std::span<const T> inputs, std::span<T> registers) const {
       case Op::choose:
         r[i] = choose(a, b, r[s.c]);
         break;
+      case Op::integral:
+        r[i] = integral(*integrals_[static_cast<std::size_t>(s.p)], a, b);
+        break;
     }
   }
 }
@@ -406,5 +429,6 @@ template void Tape::evaluate<Dual<Interval, 2>>(std::span<const Dual<Interval, 2
                                                 std::span<Dual<Interval, 2>>) const;
 template void Tape::evaluate<Dual<LongInterval, 1>>(std::span<const Dual<LongInterval, 1>>,
                                                     std::span<Dual<LongInterval, 1>>) const;
+template void Tape::evaluate<Taylor>(std::span<const Taylor>, std::span<Taylor>) const;
 
 }  // namespace nazori::functions

@@ -180,6 +180,10 @@ class Tokenizer {
       case U';':
         push(TokenKind::semicolon, 1);
         return {};
+      case U'∫':
+        push(TokenKind::integral, 1);
+        ++open_integrals_;
+        return {};
       case U'√':
         push(TokenKind::root, 1).degree = 2;
         return {};
@@ -225,8 +229,10 @@ class Tokenizer {
   void bracket(TokenKind kind, char32_t c) {
     // The function before the innermost parenthesis decides whether a comma separates arguments.
     if (kind == TokenKind::open) {
-      const bool arguments = !tokens_.empty() && tokens_.back().kind == TokenKind::function &&
-                             takes_several(tokens_.back().function);
+      const bool arguments =
+          !tokens_.empty() &&
+          (tokens_.back().kind == TokenKind::area ||
+           (tokens_.back().kind == TokenKind::function && takes_several(tokens_.back().function)));
       // In a list a comma separates, also in the parentheses right inside it: [1,2], [(1,2), (3,4)].
       const bool is_listed = c == U'[' || (c == U'(' && !tokens_.empty() && tokens_.back().bracket == U'[');
       argument_lists_.push_back(arguments || is_listed || (c == U'{' && are_cases()));
@@ -255,7 +261,7 @@ class Tokenizer {
 
   static bool takes_several(Function f) {
     return f == Function::min || f == Function::max || f == Function::mod || f == Function::atan2 ||
-           f == Function::root || f == Function::hypot;
+           f == Function::root || f == Function::hypot || f == Function::integral;
   }
 
   [[nodiscard]] bool comma_separates() const {
@@ -369,6 +375,19 @@ class Tokenizer {
       }
     }
     const std::u32string_view run = std::u32string_view(text_).substr(at_, length);
+    if (run == U"int" && peek(length) == U'_') {
+      push(TokenKind::integral, length);
+      ++open_integrals_;
+      return {};
+    }
+    if (open_integrals_ > 0 && run == U"d" && peek(length) == U'θ') {
+      differential(2, Variable::theta);
+      return {};
+    }
+    if (run == U"area" && peek(length) == U'(') {
+      push(TokenKind::area, length);
+      return {};
+    }
     if (run == U"and" || run == U"or") {
       push(run == U"and" ? TokenKind::both : TokenKind::either, length);
       return {};
@@ -395,12 +414,30 @@ class Tokenizer {
     for (const auto& n : kVariables) consider(n.text);
     for (const auto& n : kConstants) consider(n.text);
     if (defined_.contains(rest[0]) || (is_in_model() && can_be_defined(rest[0]))) consider(rest.substr(0, 1));
+    if (differential_of(rest) != nullptr) {
+      const std::size_t length = 1 + differential_of(rest)->text.size();
+      if (length < shorter_than && length > best) best = length;
+    }
     return best;
   }
 
   [[nodiscard]] bool is_in_model() const {
     return std::any_of(defined_.models.begin(), defined_.models.end(),
                        [this](const auto& m) { return at_ >= m.first && at_ < m.second; });
+  }
+
+  /// The variable of "dt" at the start of a text, if it can end an integral.
+  [[nodiscard]] const VariableName* differential_of(std::u32string_view rest) const {
+    if (open_integrals_ == 0 || rest.empty() || rest[0] != U'd') return nullptr;
+    for (const VariableName& n : kVariables) {
+      if (rest.substr(1, n.text.size()) == n.text) return &n;
+    }
+    return nullptr;
+  }
+
+  void differential(std::size_t length, Variable v) {
+    push(TokenKind::differential, length).variable = v;
+    if (open_integrals_ > 0) --open_integrals_;
   }
 
   bool cut(std::u32string_view run, std::size_t from, std::vector<std::size_t>& cuts,
@@ -419,6 +456,9 @@ class Tokenizer {
 
   void name(std::size_t length) {
     const std::u32string_view word = std::u32string_view(text_).substr(at_, length);
+    if (const VariableName* const v = differential_of(word);
+        v != nullptr && word.size() == 1 + v->text.size())
+      return differential(length, v->variable);
     for (const auto& n : kFunctions) {
       if (n.text == word) {
         push(TokenKind::function, length).function = n.function;
@@ -449,6 +489,7 @@ class Tokenizer {
   bool space_before_ = false;
   bool line_before_ = false;
   DefinedLetters defined_;
+  int open_integrals_ = 0;
   std::vector<bool> argument_lists_;
   std::vector<Token> tokens_;
 };

@@ -38,6 +38,9 @@ enum class TokenKind : std::uint8_t {
   prime,   ///< of a derivative; `value` counts them
   tilde,   ///< of a model: y ~ a x + b
   dots,    ///< "..." of a range: [1...5]
+  integral,      ///< the sign, or "int_"
+  differential,  ///< behind it: dt
+  area,          ///< the word, in front of a parenthesis
   name,    ///< of a parameter or a function of the text: Token::text
   end
 };

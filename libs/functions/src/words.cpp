@@ -80,23 +80,24 @@ struct Brackets {
   std::string_view part, part_where, end_part;    ///< around a value and its condition
   std::string_view cases, end_cases;
   std::string_view list, end_list;
+  std::string_view integral, over_variable, from, to, end_integral;
 };
 
 constexpr std::array<Brackets, 3> kEnglishBrackets{
     {{"the quantity ", " end quantity", "the fraction with numerator ", " and denominator ", " end fraction",
       " to the power of ", " end power", " of ", "the part of ", " where ", " end part", "the cases ",
-      " end cases", "the list ", " end list"},
+      " end cases", "the list ", " end list", "the integral of ", " with respect to ", " from ", " up to ", " end integral"},
      {"quantity ", " end", "fraction ", " over ", " end fraction", " to the ", " end power", " of ", "part ",
-      " where ", " end part", "cases ", " end cases", "list ", " end list"},
+      " where ", " end part", "cases ", " end cases", "list ", " end list", "integral ", " with respect to ", " from ", " up to ", " end integral"},
      {"open ", " close", "frac ", " over ", " end frac", " to ", " end", " ", "part ", " where ", " end part",
-      "cases ", " end cases", "list ", " end list"}}};
+      "cases ", " end cases", "list ", " end list", "integral ", " by ", " from ", " up to ", " end integral"}}};
 constexpr std::array<Brackets, 3> kJapaneseBrackets{
     {{"括弧 ", " 括弧閉じ", "分数 分母 ", " 分子 ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合分け ", " 場合分け終わり", "リスト ", " リスト終わり"},
+      " 部分終わり", "場合分け ", " 場合分け終わり", "リスト ", " リスト終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"},
      {"括弧 ", " 閉じ", "分数 ", " 分の ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合分け ", " 場合分け終わり", "リスト ", " リスト終わり"},
+      " 部分終わり", "場合分け ", " 場合分け終わり", "リスト ", " リスト終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"},
      {"かっこ ", " とじ", "分数 ", " 分の ", " 終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合 ", " 場合終わり", "リスト ", " 終わり"}}};
+      " 部分終わり", "場合 ", " 場合終わり", "リスト ", " 終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"}}};
 
 constexpr bool is_short_form(SpeechStyle style) { return style != SpeechStyle::verbose; }
 
@@ -249,6 +250,7 @@ class Speaker {
       case Function::choose:
       case Function::list:
       case Function::range:
+      case Function::integral:
         return false;
       default:
         return true;
@@ -299,6 +301,13 @@ class Speaker {
     return text + (is_range && !english_ ? " まで" : "") + std::string(words_.end_list);
   }
 
+  /// "the integral of t squared with respect to t from 0 up to x end integral"
+  [[nodiscard]] std::string integral(const Node& n) const {
+    return std::string(words_.integral) + spoken(n.arguments[0]) + std::string(words_.over_variable) +
+           spoken(variable(n.variable)) + std::string(words_.from) + spoken(n.arguments[1]) +
+           std::string(words_.to) + spoken(n.arguments[2]) + std::string(words_.end_integral);
+  }
+
   [[nodiscard]] std::string function(const Node& n) const {
     const auto& a = n.arguments;
     if (is_list(n)) return list(n);
@@ -306,6 +315,7 @@ class Speaker {
     if (n.function == Function::where)
       return std::string(words_.part) + spoken(a[1]) + std::string(words_.part_where) + condition(*a[0]) +
              std::string(words_.end_part);
+    if (n.function == Function::integral) return integral(n);
     if (n.function == Function::choose)
       return std::string(words_.cases) + cases(n) + std::string(words_.end_cases);
     switch (n.function) {

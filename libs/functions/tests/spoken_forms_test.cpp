@@ -44,6 +44,9 @@ class RandomTrees {
       case 18:
       case 19:
         return call(Function::choose, {condition(), deeper(), deeper()});
+      case 20:
+      case 21:
+        return integral(deeper(), below(2) == 0 ? Variable::t : Variable::x, deeper(), deeper());
       case 5:
       case 6:
         return binary(NodeKind::add, deeper(), deeper());
@@ -123,6 +126,10 @@ Expression changed(const Expression& e, RandomTrees& random) {
       n.arguments[0]->arguments.size() == 1)
     return call(n.arguments[0]->function,
                 {binary(NodeKind::power, n.arguments[0]->arguments[0], n.arguments[1])});
+  if (is_integral(n) && random.below(4) == 0) {
+    n.variable = n.variable == Variable::x ? Variable::t : Variable::x;
+    return std::make_shared<const Node>(std::move(n));
+  }
   Expression& part =
       n.arguments[static_cast<std::size_t>(random.below(static_cast<int>(n.arguments.size())))];
   part = changed(part, random);

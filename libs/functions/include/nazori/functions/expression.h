@@ -15,7 +15,7 @@ enum class Variable : std::uint8_t { x, y, z, t, theta, r };
 enum class Constant : std::uint8_t { pi, e, tau };
 
 /// Functions that can be typed, all real: where the real value does not exist the function is undefined.
-/// The last ones, from `less` on, are the conditions and cases in braces: a comparison is 1 where it holds
+/// Those from `less` to `choose` are the conditions and cases in braces: a comparison is 1 where it holds
 /// and 0 where it does not. Lists are written out before anything is drawn: they stay only in what was typed.
 enum class Function : std::uint8_t {
   sin,
@@ -70,7 +70,8 @@ enum class Function : std::uint8_t {
   where,          ///< of a condition and a value: the value where the condition holds, else undefined
   choose,         ///< of a condition and two values: the first where it holds, else the second
   list,           ///< of its elements: [1, 2, 3]
-  range           ///< of the first one or ones and the last: [1...5], [1, 3...9]
+  range,          ///< of the first one or ones and the last: [1...5], [1, 3...9]
+  integral        ///< of a function of Node::variable, and the two ends: see integral()
 };
 
 /// The functions that stand for several values.
@@ -92,6 +93,7 @@ enum class NodeKind : std::uint8_t {
   function
 };
 
+class Antiderivative;
 struct Node;
 /// An expression: an immutable tree, shared freely between threads.
 using Expression = std::shared_ptr<const Node>;
@@ -104,9 +106,11 @@ struct Node {
   std::string
       name{};  ///< of a number that is a parameter, and of a list: the letter it was typed as; else empty
   Constant constant = Constant::pi;
-  Variable variable = Variable::x;
+  Variable variable = Variable::x;  ///< itself, or that of an integral
   Function function = Function::sin;
   std::vector<Expression> arguments;
+  std::shared_ptr<const Antiderivative>
+      antiderivative{};  ///< of an integral: its values, computed when needed
 };
 
 [[nodiscard]] Expression number(double value, bool exact = true);
@@ -118,12 +122,18 @@ struct Node {
 [[nodiscard]] Expression binary(NodeKind kind, Expression a, Expression b);
 [[nodiscard]] Expression call(Function function, std::vector<Expression> arguments);
 
+/// The integral of `integrand` over `v` from one end to the other, a function of what its ends depend on.
+/// @param integrand  depends on no other variable than `v`; arguments[0] of the node.
+[[nodiscard]] Expression integral(Expression integrand, Variable v, Expression from, Expression to);
+/// Whether the node is an integral. Its first argument is no part of its value at a place.
+[[nodiscard]] bool is_integral(const Node& n);
+
 /// The angle `a` of degrees in radians: a*(pi/180).
 [[nodiscard]] Expression degrees(Expression a);
 /// Whether the tree has the form that degrees() makes; arguments[0] is then the number of degrees.
 [[nodiscard]] bool is_degrees(const Node& n);
 
-/// The variables that occur.
+/// The variables that occur, without those that an integral runs over.
 [[nodiscard]] std::set<Variable> variables_of(const Expression& e);
 [[nodiscard]] bool depends_on(const Expression& e, Variable v);
 

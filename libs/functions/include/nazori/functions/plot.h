@@ -40,6 +40,14 @@ enum class StatementKind : std::uint8_t {
   surface,         ///< z = f(x, y): terms[0] = f
 };
 
+/// The ends and borders of area(f, a, b).
+struct Area {
+  Expression first;   ///< in x
+  Expression second;  ///< in x; null: the x axis
+  Expression from;    ///< numbers
+  Expression to;
+};
+
 /// One thing to draw, as typed.
 struct Statement {
   StatementKind kind = StatementKind::explicit_y;
@@ -61,6 +69,7 @@ struct Statement {
   std::shared_ptr<const Statement> typed{};
   int element = 0;   ///< the place of this curve among those of `typed`, from 0
   int elements = 1;  ///< curves that `typed` stands for
+  std::optional<Area> area{};  ///< of inequality: typed as area(...); the terms are its region
 };
 
 /// The points of a statement that is_point, each x and y without variables; none of another statement.
@@ -111,6 +120,8 @@ struct ParseOptions {
 /// A brace behind an expression restricts it, y = x^2 {0 <= x <= 2}; a brace with colons is cases, of which
 /// the first whose condition holds is taken: {x < 0: -x, x >= 0: x}. "and" joins conditions and inequalities,
 /// "or" separates inequalities. f(x) = a x^2 defines a function, a = 2 a parameter, 0 <= a <= 3 its range;
+/// f'(x) is the derivative, integral(t^2, t, 0, x) or ∫_0^x t^2 dt an integral. area(x^2, 0, 2) is the region
+/// between a curve and the x axis, area(x^2, x, 0, 1) that between two curves.
 /// f'(x) is the derivative. A list, y = [1, 2] x, stands for one curve with each element; two lists go
 /// together element by element, as far as the shortest one reaches. ([1, 2], [3, 4]) is the points (1, 3) and
 /// (2, 4).

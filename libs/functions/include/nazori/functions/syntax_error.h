@@ -58,6 +58,9 @@ enum class SyntaxFault : std::uint8_t {
   other_variable_in_condition,  ///< subject; of a curve with a parameter
   outside_its_range,            ///< the value of the parameter subject
   no_derivative,                ///< of the function subject
+  integral_form,                ///< an integral is not written as one can be
+  area_form,                    ///< an area is not written as one can be
+  other_variable_in_integral,   ///< over subject: the function also contains the variable `closing`
   too_many_parts,               ///< of an expression, once its functions are written out
   two_equations,                ///< joined by "and"
   choice_in_region,             ///< "or" in the braces of an inequality

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace nazori::functions {
 /// evaluations.
 ///
 /// One tape works with every kind of number: double and long double (NaN where undefined), decorated
-/// intervals and duals of all of these. Immutable; thread-safe if each thread uses its own registers.
+/// intervals, duals of all of these and Taylor coefficients. Immutable; thread-safe if each thread uses its
+/// own registers.
 class Tape {
  public:
   /// @param outputs  the expressions, over `inputs` only; other variables count as undefined.
@@ -85,7 +87,8 @@ class Tape {
     at_least_zero,
     above_zero,
     where,
-    choose
+    choose,
+    integral
   };
 
  private:
@@ -93,7 +96,7 @@ class Tape {
     Op op = Op::constant;
     std::uint32_t a = 0;
     std::uint32_t b = 0;
-    int p = 0;
+    int p = 0;  ///< of an integral: the index of its antiderivative
     int q = 1;
     double value = 0;  ///< value of a constant, with the bounds of the typed number
     double lower = 0;
@@ -105,6 +108,7 @@ class Tape {
 
   std::vector<Step> steps_;
   std::vector<std::uint32_t> outputs_;
+  std::vector<std::shared_ptr<const Antiderivative>> integrals_;
   bool can_overflow_ = false;
 };
 
