@@ -19,7 +19,7 @@ class RandomTrees {
   explicit RandomTrees(unsigned seed) : random_(seed) {}
 
   Expression tree(int depth) {
-    const int kind = depth == 0 ? below(5) : below(22);
+    const int kind = depth == 0 ? below(5) : below(24);
     const auto deeper = [&] { return tree(depth - 1 - below(2) < 0 ? 0 : depth - 1 - below(2)); };
     switch (kind) {
       case 0:
@@ -44,8 +44,8 @@ class RandomTrees {
       case 18:
       case 19:
         return call(Function::choose, {condition(), deeper(), deeper()});
-      case 20:
-      case 21:
+      case 22:
+      case 23:
         return integral(deeper(), below(2) == 0 ? Variable::t : Variable::x, deeper(), deeper());
       case 5:
       case 6:
