@@ -7,8 +7,8 @@
 #include "algebra.h"
 #include "derivative.h"
 #include "lists.h"
-#include "regression_model.h"
 #include "parser.h"
+#include "regression_model.h"
 
 namespace nazori::functions {
 namespace {

@@ -19,10 +19,10 @@ namespace {
 constexpr std::int64_t kMostRational = 1'000'000'000'000;
 
 constexpr std::array<std::string_view, 54> kFunctionNames{
-    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",   "acos",  "atan",  "acot",  "sinh",
-    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh",  "atanh", "exp",   "ln",    "log",
-    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",   "floor", "ceil",  "round", "trunc",
-    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",    "atan2", "hypot", "<",     "<=",
+    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",   "acos",  "atan",  "acot",    "sinh",
+    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh",  "atanh", "exp",   "ln",      "log",
+    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",   "floor", "ceil",  "round",   "trunc",
+    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",    "atan2", "hypot", "<",       "<=",
     ">",    ">=",    "=",         "and",  "or",   "where", "choose", "list",  "range", "integral"};
 
 std::string wrapped(const Expression& e, int least) {

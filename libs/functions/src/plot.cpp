@@ -9,10 +9,10 @@
 #include "algebra.h"
 #include "area.h"
 #include "lists.h"
-#include "regression_model.h"
 #include "nazori/base/utf8.h"
 #include "nazori/functions/curve_kinds.h"
 #include "parser.h"
+#include "regression_model.h"
 #include "restricted_statement.h"
 
 namespace nazori::functions {

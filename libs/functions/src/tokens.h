@@ -32,16 +32,16 @@ enum class TokenKind : std::uint8_t {
   comparison,
   semicolon,
   colon,
-  both,    ///< "and"
-  either,  ///< "or"
-  degree,  ///< the raised circle
-  prime,   ///< of a derivative; `value` counts them
-  tilde,   ///< of a model: y ~ a x + b
-  dots,    ///< "..." of a range: [1...5]
+  both,          ///< "and"
+  either,        ///< "or"
+  degree,        ///< the raised circle
+  prime,         ///< of a derivative; `value` counts them
+  tilde,         ///< of a model: y ~ a x + b
+  dots,          ///< "..." of a range: [1...5]
   integral,      ///< the sign, or "int_"
   differential,  ///< behind it: dt
   area,          ///< the word, in front of a parenthesis
-  name,    ///< of a parameter or a function of the text: Token::text
+  name,          ///< of a parameter or a function of the text: Token::text
   end
 };
 

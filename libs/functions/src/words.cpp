@@ -84,20 +84,47 @@ struct Brackets {
 };
 
 constexpr std::array<Brackets, 3> kEnglishBrackets{
-    {{"the quantity ", " end quantity", "the fraction with numerator ", " and denominator ", " end fraction",
-      " to the power of ", " end power", " of ", "the part of ", " where ", " end part", "the cases ",
-      " end cases", "the list ", " end list", "the integral of ", " with respect to ", " from ", " up to ", " end integral"},
-     {"quantity ", " end", "fraction ", " over ", " end fraction", " to the ", " end power", " of ", "part ",
-      " where ", " end part", "cases ", " end cases", "list ", " end list", "integral ", " with respect to ", " from ", " up to ", " end integral"},
-     {"open ", " close", "frac ", " over ", " end frac", " to ", " end", " ", "part ", " where ", " end part",
-      "cases ", " end cases", "list ", " end list", "integral ", " by ", " from ", " up to ", " end integral"}}};
+    {{"the quantity ",
+      " end quantity",
+      "the fraction with numerator ",
+      " and denominator ",
+      " end fraction",
+      " to the power of ",
+      " end power",
+      " of ",
+      "the part of ",
+      " where ",
+      " end part",
+      "the cases ",
+      " end cases",
+      "the list ",
+      " end list",
+      "the integral of ",
+      " with respect to ",
+      " from ",
+      " up to ",
+      " end integral"},
+     {"quantity ",  " end",         "fraction ", " over ",    " end fraction",     " to the ",
+      " end power", " of ",         "part ",     " where ",   " end part",         "cases ",
+      " end cases", "list ",        " end list", "integral ", " with respect to ", " from ",
+      " up to ",    " end integral"},
+     {"open ",     " close",    "frac ",   " over ",    " end frac", " to ",         " end",
+      " ",         "part ",     " where ", " end part", "cases ",    " end cases",   "list ",
+      " end list", "integral ", " by ",    " from ",    " up to ",   " end integral"}}};
 constexpr std::array<Brackets, 3> kJapaneseBrackets{
-    {{"括弧 ", " 括弧閉じ", "分数 分母 ", " 分子 ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合分け ", " 場合分け終わり", "リスト ", " リスト終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"},
-     {"括弧 ", " 閉じ", "分数 ", " 分の ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合分け ", " 場合分け終わり", "リスト ", " リスト終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"},
-     {"かっこ ", " とじ", "分数 ", " 分の ", " 終わり", " の ", " 乗", " ", "部分 ", " ただし ",
-      " 部分終わり", "場合 ", " 場合終わり", "リスト ", " 終わり", "積分 ", " 変数 ", " 下端 ", " 上端 ", " 積分終わり"}}};
+    {{"括弧 ",           " 括弧閉じ", "分数 分母 ",    " 分子 ",
+      " 分数終わり",     " の ",      " 乗",           " ",
+      "部分 ",           " ただし ",  " 部分終わり",   "場合分け ",
+      " 場合分け終わり", "リスト ",   " リスト終わり", "積分 ",
+      " 変数 ",          " 下端 ",    " 上端 ",        " 積分終わり"},
+     {"括弧 ",           " 閉じ",    "分数 ",         " 分の ",
+      " 分数終わり",     " の ",     " 乗",           " ",
+      "部分 ",           " ただし ", " 部分終わり",   "場合分け ",
+      " 場合分け終わり", "リスト ",  " リスト終わり", "積分 ",
+      " 変数 ",          " 下端 ",   " 上端 ",        " 積分終わり"},
+     {"かっこ ", " とじ", "分数 ",    " 分の ",      " 終わり", " の ",        " 乗",
+      " ",       "部分 ", " ただし ", " 部分終わり", "場合 ",   " 場合終わり", "リスト ",
+      " 終わり", "積分 ", " 変数 ",   " 下端 ",      " 上端 ",  " 積分終わり"}}};
 
 constexpr bool is_short_form(SpeechStyle style) { return style != SpeechStyle::verbose; }
 

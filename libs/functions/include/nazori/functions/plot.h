@@ -67,8 +67,8 @@ struct Statement {
   std::shared_ptr<const Fit> fit{};
   /// Where lists or a model were typed: the statement as typed, of which this is one curve. Else null.
   std::shared_ptr<const Statement> typed{};
-  int element = 0;   ///< the place of this curve among those of `typed`, from 0
-  int elements = 1;  ///< curves that `typed` stands for
+  int element = 0;             ///< the place of this curve among those of `typed`, from 0
+  int elements = 1;            ///< curves that `typed` stands for
   std::optional<Area> area{};  ///< of inequality: typed as area(...); the terms are its region
 };
 
