@@ -103,9 +103,9 @@ std::string far_in_words(const Plot& plot, Language language, SpeechStyle style)
         const std::string value =
             spoken(far.intercept, exact_name(far.intercept).value_or(""), language, style);
         if (far.coincides)
-          text += where + (english ? "is " + value : value + " です");
+          text += where, text += english ? "is " + value : value + " です";
         else
-          text += where + (english ? "approaches " + value : value + " に近づきます");
+          text += where, text += english ? "approaches " + value : value + " に近づきます";
         break;
       }
       case FarOut::rises:
