@@ -202,7 +202,7 @@ class Differentiator {
     for (Expression& a : n.arguments) a = without_steps(a, v);
     if (n.kind != NodeKind::function) return std::make_shared<const Node>(std::move(n));
     const Expression& u = n.arguments[0];
-    const Expression plain = std::make_shared<const Node>(n);
+    Expression plain = std::make_shared<const Node>(n);
     switch (n.function) {
       case Function::sign:
         return where_above(call(Function::abs, {u}), number(0), plain);

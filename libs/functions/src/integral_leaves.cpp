@@ -20,6 +20,7 @@ constexpr double kFarOut = 1024;
 // The remainder may be as large as the rounding of the other terms.
 constexpr double kTolerance = 1e-16;
 constexpr double kCoarse = 1e-6;
+constexpr double kNarrow = 0x1p-24;  // of the block
 // Nearer to zero the steps between doubles are as large as the numbers: e^(-t^2) at 27.
 constexpr double kVanishing = 1e-290;
 
@@ -85,7 +86,7 @@ class BlockBuilder {
     for (; !open_.empty(); open_.pop()) {
       IntegralLeaf leaf = open_.top().second;
       const double width = leaf.outer - leaf.inner;
-      leaf.is_coarse = !leaf.is_bad && width > width_ * 0x1p-24 &&
+      leaf.is_coarse = !leaf.is_bad && width > width_ * kNarrow &&
                        remainder(leaf) > kCoarse * leaf.range.magnitude() * width;
       done_.push_back(leaf);
     }
@@ -143,8 +144,11 @@ class BlockBuilder {
       return;
     }
     const double error = remainder(leaf);
-    const double fine = kTolerance * leaf.range.magnitude() * width;
-    if (error <= std::max({fine, height_ * width_ * 0x1p-62, kVanishing * width}) || width <= narrowest_)
+    const double fine = std::max(kTolerance * leaf.range.magnitude(), kVanishing) * width;
+    // Beside a corner halving goes on until what is left vanishes beside the block. Of a wide leaf that says
+    // nothing: over a block e^(t^2) has values that differ by a factor of 10^200.
+    const bool vanishes = width <= width_ * kNarrow && error <= height_ * width_ * 0x1p-62;
+    if (error <= fine || vanishes || width <= narrowest_)
       done_.push_back(leaf);
     else
       open_.emplace(error, leaf);

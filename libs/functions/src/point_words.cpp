@@ -126,10 +126,11 @@ std::string far_in_words(const Plot& plot, Language language, SpeechStyle style)
       case FarOut::level: {
         const std::string value =
             spoken(far.intercept, exact_name(far.intercept).value_or(""), language, style);
+        text += where;
         if (far.coincides)
-          text += where + (english ? "is " + value : value + " です");
+          text += english ? "is " + value : value + " です";
         else
-          text += where + (english ? "approaches " + value : value + " に近づきます");
+          text += english ? "approaches " + value : value + " に近づきます";
         break;
       }
       case FarOut::rises:

@@ -179,7 +179,8 @@ Taylor max(const Taylor& a, const Taylor& b) { return -min(-a, -b); }
 
 Taylor atan2(const Taylor& y, const Taylor& x) {
   return both(y, x, [](const Terms& v, const Terms& u) {
-    const Terms radius = sum(product(u, u), product(v, v));
+    Terms radius = sum(product(u, u), product(v, v));
+    radius[0] = square(u[0]) + square(v[0]);
     const Interval value = atan2(v[0], u[0]);
     // It jumps on the negative side of x.
     if (!value.is_continuous()) return unknown_from(1, constant(value));

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "../src/algebra.h"
 #include "nazori/functions/braille.h"
 #include "nazori/functions/points.h"
 #include "nazori/functions/tape.h"
@@ -98,6 +99,17 @@ TEST(IntegralCurve, AppliesDefinedFunctionsInItsEnds) {
   const double x = 0.7;
   EXPECT_NEAR(constant_value(substitute(e, Variable::x, number(x))), std::sin(2 * x) + std::sin(std::sin(x)),
               1e-14);
+}
+
+TEST(IntegralCurve, KeepsItsOwnVariableApartFromTheOneOutside) {
+  EXPECT_EQ(last_text("f(t) = integral(t^2, t, 0, t); y = f(2x)"), "y = integral(t^2, t, 0, 2*x)");
+  const Expression e = read("y = integral(|x|, x, 0, |x|)").statements[0].terms[0];
+  EXPECT_EQ(to_text(replaced(e, variable(Variable::x), number(3))), "integral(|x|, x, 0, |3|)");
+  // Only the |x| outside has two cases.
+  const std::vector<Case> cases = cases_of(e);
+  ASSERT_EQ(cases.size(), 2U);
+  EXPECT_EQ(to_text(cases[0].expression), "integral(|x|, x, 0, x)");
+  EXPECT_TRUE(variables_of(read("y = integral(x, x, 0, 2)").statements[0].terms[0]).empty());
 }
 
 // The leaves are computed by whichever thread needs them first.

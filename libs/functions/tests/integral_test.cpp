@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Integrals, against closed forms and published values.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -163,6 +165,45 @@ TEST(Integral, SlopesAreTheFunctionUnderIt) {
     const auto box = value(tape, Dual<Interval, 1>(Interval(x), 0));
     EXPECT_LE(box.slopes[0].lower, wanted + 1e-12);
     EXPECT_GE(box.slopes[0].upper, wanted - 1e-12);
+  }
+}
+
+// Whatever the ends are, an enclosure is a range or empty, and a value lies in it.
+TEST(Integral, HasBoundsThatAreNumbersForAllEnds) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  std::mt19937 random(20'261'128);
+  const auto any = [&random] {
+    switch (random() % 6) {
+      case 0:
+        return 0.0;
+      case 1:
+        return random() % 2 == 0 ? kInfinite : -kInfinite;
+      case 2:
+        return std::numeric_limits<double>::denorm_min();
+      case 3:
+        return std::ldexp(1.0, static_cast<int>(random() % 26) - 20);
+      default:
+        return std::uniform_real_distribution<double>(-20, 20)(random);
+    }
+  };
+  for (const char* integrand :
+       {"1/t", "sin(t)/t", "tan(t)", "e^(t^2)", "ln(t)", "floor(t)", "1/t^2", "gamma(t)", "sqrt(1-t^2)",
+        "{t < 0: 1/t, t > 1: t}", "t^t", "acosh(t)", "0/t", "e^(1/t)"}) {
+    const Expression e = read(fmt::format("integral({}, t, y, x)", integrand));
+    const Tape tape = Tape::compile(std::array{e}, std::array{Variable::x, Variable::y});
+    for (int i = 0; i < 100; ++i) {
+      const std::array ends{any(), any(), any(), any()};
+      const Interval to(std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
+      const Interval from(std::min(ends[2], ends[3]), std::max(ends[2], ends[3]));
+      const auto d =
+          tape.evaluate_one<Dual<Interval, 1>>(std::array{Dual<Interval, 1>(to, 0), Dual<Interval, 1>(from)});
+      ASSERT_FALSE(std::isnan(d.value.lower) || std::isnan(d.value.upper)) << integrand;
+      ASSERT_FALSE(std::isnan(d.slopes[0].lower) || std::isnan(d.slopes[0].upper)) << integrand;
+      const double v = tape.evaluate_one<double>(std::array{to.lower, from.upper});
+      if (std::isnan(v)) continue;
+      ASSERT_LE(d.value.lower, v + 1e-9 * std::abs(v)) << integrand << ' ' << from.upper << ' ' << to.lower;
+      ASSERT_GE(d.value.upper, v - 1e-9 * std::abs(v)) << integrand << ' ' << from.upper << ' ' << to.lower;
+    }
   }
 }
 
