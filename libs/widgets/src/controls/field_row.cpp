@@ -28,6 +28,7 @@ void FieldRow::arrange(const std::vector<FieldRow*>& rows, bool above) {
     row->layout_->setDirection(above ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     row->layout_->setSpacing(above ? 0 : kGap_px);
     row->name_->setMinimumWidth(above ? 0 : widest);
+    row->name_->setWordWrap(above);
   }
 }
 
