@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "exact_name.h"
@@ -79,8 +80,8 @@ class FarLook {
     std::array<Long, kLast + 1> low{};
     std::array<Long, kLast + 1> high{};
     for (int k = kFirst; k <= last_; ++k) {
-      low[static_cast<std::size_t>(k)] = INFINITY;
-      high[static_cast<std::size_t>(k)] = -INFINITY;
+      low[static_cast<std::size_t>(k)] = std::numeric_limits<Long>::infinity();
+      high[static_cast<std::size_t>(k)] = -std::numeric_limits<Long>::infinity();
       for (std::size_t m = 0; m < kMantissas.size(); ++m) {
         const Long v = f(x_of(k, m));
         if (!std::isfinite(v)) {
@@ -152,8 +153,8 @@ class FarLook {
     bool rises = true;
     bool falls = true;
     for (int k = 2; k <= 12; ++k) {
-      Long low = INFINITY;
-      Long high = -INFINITY;
+      Long low = std::numeric_limits<Long>::infinity();
+      Long high = -std::numeric_limits<Long>::infinity();
       for (std::size_t m = 0; m < kMantissas.size(); ++m) {
         const Long v = at(k, m);
         if (std::isnan(v)) return {FarOut::unknown};
