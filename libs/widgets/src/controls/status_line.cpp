@@ -116,10 +116,13 @@ void StatusLine::changeEvent(QEvent* event) {
   QStatusBar::changeEvent(event);
   // Its height depends on its labels, whose font changes after its own.
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-    QTimer::singleShot(0, this, [this] {
-      reformat();
-      fit();
-    });
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          reformat();
+          fit();
+        },
+        Qt::QueuedConnection);
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {
