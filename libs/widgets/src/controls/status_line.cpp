@@ -65,6 +65,11 @@ StatusLine::StatusLine(practice::TabletControl& controller, practice::TabletReco
   });
   connect(&timer_, &QTimer::timeout, this, &StatusLine::look);
   timer_.start(kLook_ms);
+  again_.setSingleShot(true);
+  connect(&again_, &QTimer::timeout, this, [this] {
+    reformat();
+    fit();
+  });
   look();
 }
 
@@ -116,13 +121,7 @@ void StatusLine::changeEvent(QEvent* event) {
   QStatusBar::changeEvent(event);
   // Its height depends on its labels, whose font changes after its own.
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-          reformat();
-          fit();
-        },
-        Qt::QueuedConnection);
+    again_.start();
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {

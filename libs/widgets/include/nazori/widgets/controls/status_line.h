@@ -48,6 +48,7 @@ class StatusLine final : public QStatusBar {
   QLabel* missed_;
   QLabel* depth_;
   QTimer timer_;
+  QTimer again_;  ///< lays the labels out again once their font has changed
   QElapsedTimer since_;
   std::uint64_t ticks_ = 0;
   bool has_figures_ = false;
