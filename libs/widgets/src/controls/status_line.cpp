@@ -120,8 +120,7 @@ void StatusLine::show_input(bool shown) {
 void StatusLine::changeEvent(QEvent* event) {
   QStatusBar::changeEvent(event);
   // Its height depends on its labels, whose font changes after its own.
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-    again_.start();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) again_.start();
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {
