@@ -77,9 +77,9 @@ TEST_F(Keys, F2AndF3FoldThePanelsAwayAndBack) {
 TEST_F(Keys, APanelThatF2OrF3OpensHasTheKeyboardAndGivesItBackToTheTablet) {
   for (const auto& [key, panel] :
        {std::pair{Qt::Key_F2, "library_panel"}, {Qt::Key_F3, "information_panel"}}) {
-    const auto has_keyboard = [&] {
+    const auto has_keyboard = [name = panel, this] {
       const auto* focus = QApplication::focusWidget();
-      return focus != nullptr && find(panel)->isAncestorOf(focus);
+      return focus != nullptr && find(name)->isAncestorOf(focus);
     };
     press(key);
     ASSERT_FALSE(find(panel)->isVisible());
