@@ -18,8 +18,8 @@ class InputWatch final : public QObject {
   [[nodiscard]] static InputWatch& of_program();
 
   [[nodiscard]] Kind kind() const { return kind_; }
-  /// Whether a mouse button puts the tip on the tablet: false for a pen, a finger or a device, and as long as
-  /// nothing has pointed (a learner who writes with keys has no button to hold).
+  /// Whether a mouse button puts the tip on the tablet: false for a pen, a finger and a device. It is also
+  /// false until something has pointed: someone who writes with keys has no button to hold.
   [[nodiscard]] bool writes_with_button() const {
     return has_pointed_ && !has_device_ && kind_ == Kind::mouse;
   }
