@@ -231,8 +231,8 @@ Expression first_choice(const Expression& e) {
   if (e->kind == NodeKind::function &&
       (e->function == Function::abs || e->function == Function::min || e->function == Function::max))
     return e;
-  for (std::size_t i = is_integral(*e) ? 1 : 0; i < e->arguments.size(); ++i) {
-    if (Expression found = first_choice(e->arguments[i])) return found;
+  for (const Expression& a : parts_at_a_place(*e)) {
+    if (Expression found = first_choice(a)) return found;
   }
   return nullptr;
 }

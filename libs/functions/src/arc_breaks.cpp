@@ -19,7 +19,8 @@ bool is_border(const Expression& e, Variable parameter, double t) {
     const Expression gap = binary(NodeKind::subtract, e->arguments[0], e->arguments[1]);
     if (constant_value(substitute(gap, parameter, number(t))) == 0) return true;
   }
-  return std::any_of(e->arguments.begin() + (is_integral(*e) ? 1 : 0), e->arguments.end(),
+  const auto parts = parts_at_a_place(*e);
+  return std::any_of(parts.begin(), parts.end(),
                      [&](const Expression& a) { return is_border(a, parameter, t); });
 }
 

@@ -45,8 +45,7 @@ bool is_whole_number(const Expression& e) {
 }
 bool is_atom(const Expression& e) {
   return (e->kind == NodeKind::number && (e->value >= 0 || !e->name.empty())) ||
-         e->kind == NodeKind::constant || e->kind == NodeKind::variable ||
-         (e->kind == NodeKind::function && is_list(e->function));
+         e->kind == NodeKind::constant || e->kind == NodeKind::variable || is_list(*e);
 }
 
 /// How deeply fractions lie in each other, without those in exponents (§ 66 to § 68).

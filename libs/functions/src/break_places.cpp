@@ -59,7 +59,7 @@ void BreakPlaces::add(Cause cause, const Expression& argument, const Expression&
 }
 
 void BreakPlaces::collect(const Expression& e) {
-  for (const Expression& a : e->arguments) collect(a);
+  for (const Expression& a : parts_at_a_place(*e)) collect(a);
   if (e->kind == NodeKind::divide) add(Cause::undefined, e->arguments[1]);
   if (e->kind == NodeKind::power) {
     const auto n = rational_value(e->arguments[1]);

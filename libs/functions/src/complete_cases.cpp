@@ -9,19 +9,12 @@
 namespace nazori::functions {
 namespace {
 
-bool is_call(const Expression& e, Function f) { return e->kind == NodeKind::function && e->function == f; }
-
 /// The numbers that a condition compares `v` with. @return false where it compares anything else.
 bool find_borders(const Expression& condition, Variable v, std::vector<double>& borders) {
   const auto& a = condition->arguments;
-  if (is_call(condition, Function::both) || is_call(condition, Function::either))
+  if (is_call(*condition, Function::both) || is_call(*condition, Function::either))
     return find_borders(a[0], v, borders) && find_borders(a[1], v, borders);
-  const auto is_variable = [v](const Expression& e) {
-    return e->kind == NodeKind::variable && e->variable == v;
-  };
-  for (const int i : {0, 1}) {
-    const Expression& border = a[static_cast<std::size_t>(1 - i)];
-    if (!is_variable(a[static_cast<std::size_t>(i)]) || !variables_of(border).empty()) continue;
+  if (const Expression border = border_of(condition, v)) {
     borders.push_back(constant_value(border));
     return std::isfinite(borders.back());
   }
@@ -53,17 +46,27 @@ bool cover_all(const std::vector<Expression>& conditions, Variable v) {
 
 /// @param before  the conditions of the cases in front of this one.
 Expression completed(const Expression& e, Variable v, std::vector<Expression> before) {
-  if (is_call(e, Function::where)) {
+  if (is_call(*e, Function::where)) {
     before.push_back(e->arguments[0]);
     return before.size() > 1 && cover_all(before, v) ? e->arguments[1] : e;
   }
-  if (!is_call(e, Function::choose)) return e;
+  if (!is_call(*e, Function::choose)) return e;
   before.push_back(e->arguments[0]);
   Expression rest = completed(e->arguments[2], v, std::move(before));
   return call(Function::choose, {e->arguments[0], e->arguments[1], std::move(rest)});
 }
 
 }  // namespace
+
+Expression border_of(const Expression& comparison, Variable v) {
+  const auto& a = comparison->arguments;
+  const auto is_variable = [v](const Expression& e) {
+    return e->kind == NodeKind::variable && e->variable == v;
+  };
+  if (!is_variable(a[0]) && !is_variable(a[1])) return nullptr;
+  Expression border = a[is_variable(a[0]) ? 1 : 0];
+  return variables_of(border).empty() ? border : nullptr;
+}
 
 Expression with_complete_cases(const Expression& e, Variable v) {
   // Of an integral inside, the function has its own variable and its own values.

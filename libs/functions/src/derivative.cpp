@@ -213,7 +213,7 @@ class Differentiator {
       case Function::where:
         return call(Function::where, {inside(u), n.arguments[1]});
       case Function::choose: {
-        const Expression border = border_of(u, v);
+        const Expression border = ordered_border(u, v);
         if (border && agree(n.arguments[1], n.arguments[2], v, border)) return plain;
         return call(Function::choose, {inside(u), n.arguments[1],
                                        call(Function::where, {inside(opposite(u)), n.arguments[2]})});
@@ -297,20 +297,13 @@ class Differentiator {
   /// that the slope exists.
   [[nodiscard]] bool meets(const Expression& condition, const Expression& yes, const Expression& no,
                            const Expression& first, const Expression& second) const {
-    const Expression border = border_of(condition, variable_);
+    const Expression border = ordered_border(condition, variable_);
     return border && agree(yes, no, variable_, border) && agree(first, second, variable_, border);
   }
 
-  /// The number that a condition compares the variable with, or null.
-  static Expression border_of(const Expression& condition, Variable v) {
-    if (condition->function > Function::greater_equal) return nullptr;
-    const auto& a = condition->arguments;
-    const auto is_variable = [v](const Expression& e) {
-      return e->kind == NodeKind::variable && e->variable == v;
-    };
-    if (!is_variable(a[0]) && !is_variable(a[1])) return nullptr;
-    Expression border = a[is_variable(a[0]) ? 1 : 0];
-    return variables_of(border).empty() ? border : nullptr;
+  /// The border of a comparison by order, or null: at that of "=" there are no two sides.
+  static Expression ordered_border(const Expression& condition, Variable v) {
+    return condition->function <= Function::greater_equal ? border_of(condition, v) : nullptr;
   }
 
   static bool agree(const Expression& p, const Expression& q, Variable v, const Expression& place) {

@@ -344,7 +344,7 @@ class EquationPoints {
 /// Where the parts of an expression have no derivative: the arguments of |u| and of roots, the differences of
 /// what min and max compare.
 void collect_edges(const Expression& e, std::map<std::string, Expression>& found) {
-  for (const Expression& a : e->arguments) collect_edges(a, found);
+  for (const Expression& a : parts_at_a_place(*e)) collect_edges(a, found);
   Expression edge;
   const auto& a = e->arguments;
   if (e->kind == NodeKind::power) {

@@ -256,16 +256,25 @@ Expression integral(Expression integrand, Variable v, Expression from, Expressio
   return std::make_shared<const Node>(std::move(n));
 }
 
-bool is_integral(const Node& n) { return n.kind == NodeKind::function && n.function == Function::integral; }
+bool is_call(const Node& n, Function function) {
+  return n.kind == NodeKind::function && n.function == function;
+}
 
-namespace {
+bool is_integral(const Node& n) { return is_call(n, Function::integral); }
 
-/// What the value at a place is computed from: of an integral its ends.
+bool is_list(const Node& n) { return n.kind == NodeKind::function && is_list(n.function); }
+
 std::span<const Expression> parts_at_a_place(const Node& n) {
   return std::span(n.arguments).subspan(is_integral(n) ? 1 : 0);
 }
 
-}  // namespace
+Expression with_arguments(const Node& n, std::vector<Expression> arguments) {
+  if (is_integral(n) && arguments[0] != n.arguments[0])
+    return integral(std::move(arguments[0]), n.variable, std::move(arguments[1]), std::move(arguments[2]));
+  Node other = n;
+  other.arguments = std::move(arguments);
+  return std::make_shared<const Node>(std::move(other));
+}
 
 std::set<Variable> variables_of(const Expression& e) {
   if (e->kind == NodeKind::variable) return {e->variable};

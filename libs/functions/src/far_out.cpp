@@ -182,10 +182,6 @@ class FarLook {
   int last_;
 };
 
-}  // namespace
-
-namespace {
-
 /// The number as it is written where it has a name: x - pi beside pi is not left to rounding.
 Expression exact_number(double value) {
   const auto name = exact_name(value);

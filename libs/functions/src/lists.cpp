@@ -8,8 +8,6 @@
 namespace nazori::functions {
 namespace {
 
-bool is_list(const Expression& e) { return e->kind == NodeKind::function && is_list(e->function); }
-
 /// The step of a range, as an expression.
 Expression step_of(const Node& range) {
   const auto& a = range.arguments;
@@ -96,7 +94,7 @@ std::vector<Statement> curves_of(const Statement& s, std::size_t count) {
 }  // namespace
 
 bool has_list(const Expression& e) {
-  return is_list(e) || std::any_of(e->arguments.begin(), e->arguments.end(), has_list);
+  return is_list(*e) || std::any_of(e->arguments.begin(), e->arguments.end(), has_list);
 }
 
 std::optional<std::size_t> element_count(const Node& list) {
@@ -104,16 +102,16 @@ std::optional<std::size_t> element_count(const Node& list) {
 }
 
 std::optional<std::size_t> shortest_list(const Expression& e) {
-  if (is_list(e)) return element_count(*e).value_or(0);
+  if (is_list(*e)) return element_count(*e).value_or(0);
   return common_count(e->arguments);
 }
 
 Expression with_element(const Expression& e, std::size_t i) {
   if (!has_list(e)) return e;
-  if (is_list(e)) return e->function == Function::range ? range_element(*e, i) : e->arguments[i];
-  Node n = *e;
-  for (Expression& a : n.arguments) a = with_element(a, i);
-  return std::make_shared<const Node>(std::move(n));
+  if (is_list(*e)) return e->function == Function::range ? range_element(*e, i) : e->arguments[i];
+  std::vector<Expression> arguments;
+  for (const Expression& a : e->arguments) arguments.push_back(with_element(a, i));
+  return with_arguments(*e, std::move(arguments));
 }
 
 tl::expected<void, SyntaxError> expand_lists(Plot& plot, std::size_t most_statements) {

@@ -33,13 +33,13 @@ Expression replaced(const Expression& e, const std::function<Expression(const st
     return with ? with : e;
   }
   if (e->arguments.empty()) return e;
-  Node n = *e;
-  for (Expression& a : n.arguments) a = replaced(a, value);
+  std::vector<Expression> arguments;
+  for (const Expression& a : e->arguments) arguments.push_back(replaced(a, value));
   // a x + b with a negative b is written a x - |b|.
-  const Node* const right = n.arguments.back().get();
-  if (n.kind == NodeKind::add && right->kind == NodeKind::negate && is_free_letter(*e->arguments.back()))
-    return binary(NodeKind::subtract, n.arguments[0], right->arguments[0]);
-  return std::make_shared<const Node>(std::move(n));
+  const Node* const right = arguments.back().get();
+  if (e->kind == NodeKind::add && right->kind == NodeKind::negate && is_free_letter(*e->arguments.back()))
+    return binary(NodeKind::subtract, arguments[0], right->arguments[0]);
+  return with_arguments(*e, std::move(arguments));
 }
 
 /// Whether the tree is a sum of terms with at most one of these letters each, as a factor.

@@ -96,8 +96,6 @@ Expression arc_of_square(const Node& n) {
   return binary(NodeKind::subtract, binary(NodeKind::divide, constant(Constant::pi), number(2)), angle);
 }
 
-bool is_call(const Expression& e, Function f) { return e->kind == NodeKind::function && e->function == f; }
-
 bool is_exponential(const Expression& e) {
   return e->kind == NodeKind::power && e->arguments[0]->kind == NodeKind::constant;
 }
@@ -163,7 +161,7 @@ Expression inverse_undone(const Node& n) {
 
 /// gamma(u + n)/gamma(u) = u (u + 1) ... (u + n - 1), undefined where the quotient is.
 Expression gamma_ratio(const Expression& top, const Expression& bottom) {
-  if (!is_call(top, Function::gamma) || !is_call(bottom, Function::gamma)) return nullptr;
+  if (!is_call(*top, Function::gamma) || !is_call(*bottom, Function::gamma)) return nullptr;
   const auto p = Polynomial::of(binary(NodeKind::subtract, top->arguments[0], bottom->arguments[0]));
   const auto step = p ? p->constant() : std::nullopt;
   if (!step || *step != std::round(*step) || std::abs(*step) > 12 || *step == 0) return nullptr;
@@ -236,9 +234,9 @@ Expression power_over_sum(const Expression& power, const Expression& sum) {
 /// nearly cancel, rounding destroys the result, and enclosures become useless.
 Expression rationalised(const Node& n) {
   if (n.kind != NodeKind::add && n.kind != NodeKind::subtract) return nullptr;
-  const bool root_first = is_call(n.arguments[0], Function::sqrt);
+  const bool root_first = is_call(*n.arguments[0], Function::sqrt);
   const Expression& root = n.arguments[root_first ? 0 : 1];
-  if (!is_call(root, Function::sqrt)) return nullptr;
+  if (!is_call(*root, Function::sqrt)) return nullptr;
   const Expression& other = n.arguments[root_first ? 1 : 0];
   if (!is_total(other) || variables_of(other).empty()) return nullptr;
   const auto rest = Polynomial::of(

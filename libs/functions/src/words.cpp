@@ -177,9 +177,6 @@ class Speaker {
     return n.kind == NodeKind::number && (n.value >= 0 || !n.name.empty());
   }
   static bool is_named_list(const Node& n) { return is_list(n) && !n.name.empty(); }
-  static bool is_list(const Node& n) {
-    return n.kind == NodeKind::function && functions::is_list(n.function);
-  }
   static bool is_atom(const Expression& e) {
     return is_plain_number(*e) || e->kind == NodeKind::constant || e->kind == NodeKind::variable ||
            is_list(*e);

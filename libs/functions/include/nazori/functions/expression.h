@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -103,14 +104,14 @@ struct Node {
   NodeKind kind = NodeKind::number;
   double value = 0;   ///< of a number: the double nearest to the typed one
   bool exact = true;  ///< whether `value` equals the typed number exactly (0.5 does, 0.1 does not)
-  std::string
-      name{};  ///< of a number that is a parameter, and of a list: the letter it was typed as; else empty
+  /// Of a number that is a parameter, and of a list: the letter it was typed as; else empty.
+  std::string name{};
   Constant constant = Constant::pi;
   Variable variable = Variable::x;  ///< itself, or that of an integral
   Function function = Function::sin;
   std::vector<Expression> arguments;
-  std::shared_ptr<const Antiderivative>
-      antiderivative{};  ///< of an integral: its values, computed when needed
+  /// Of an integral: its values, computed when needed.
+  std::shared_ptr<const Antiderivative> antiderivative{};
 };
 
 [[nodiscard]] Expression number(double value, bool exact = true);
@@ -125,8 +126,15 @@ struct Node {
 /// The integral of `integrand` over `v` from one end to the other, a function of what its ends depend on.
 /// @param integrand  depends on no other variable than `v`; arguments[0] of the node.
 [[nodiscard]] Expression integral(Expression integrand, Variable v, Expression from, Expression to);
-/// Whether the node is an integral. Its first argument is no part of its value at a place.
+/// Whether the node is a call of this function.
+[[nodiscard]] bool is_call(const Node& n, Function function);
 [[nodiscard]] bool is_integral(const Node& n);
+/// Whether the node stands for several values.
+[[nodiscard]] bool is_list(const Node& n);
+/// What the value of the node at a place is computed from: its arguments, of an integral only the two ends.
+[[nodiscard]] std::span<const Expression> parts_at_a_place(const Node& n);
+/// The node with other arguments. An integral of another function is computed anew.
+[[nodiscard]] Expression with_arguments(const Node& n, std::vector<Expression> arguments);
 
 /// The angle `a` of degrees in radians: a*(pi/180).
 [[nodiscard]] Expression degrees(Expression a);

@@ -122,7 +122,7 @@ struct ParseOptions {
 /// "or" separates inequalities. f(x) = a x^2 defines a function, a = 2 a parameter, 0 <= a <= 3 its range;
 /// f'(x) is the derivative, integral(t^2, t, 0, x) or ∫_0^x t^2 dt an integral. area(x^2, 0, 2) is the region
 /// between a curve and the x axis, area(x^2, x, 0, 1) that between two curves.
-/// f'(x) is the derivative. A list, y = [1, 2] x, stands for one curve with each element; two lists go
+/// A list, y = [1, 2] x, stands for one curve with each element; two lists go
 /// together element by element, as far as the shortest one reaches. ([1, 2], [3, 4]) is the points (1, 3) and
 /// (2, 4).
 /// y ~ a x + b is a model: its letters without a definition get the values with which it fits the points of
