@@ -10,15 +10,12 @@
 
 #include "nazori/functions/braille.h"
 #include "nazori/functions/points.h"
+#include "typed_plots.h"
 
 namespace nazori::functions {
 namespace {
 
-Plot read(const std::string& text) {
-  auto plot = parse(text);
-  EXPECT_TRUE(plot) << text;
-  return plot ? *plot : Plot{};
-}
+using test::read;
 
 TEST(Area, HasItsIntegralAndItsSizeWithTheirNames) {
   struct Known {

@@ -10,6 +10,7 @@
 #include "nazori/functions/plot.h"
 #include "nazori/functions/points.h"
 #include "nazori/functions/tape.h"
+#include "typed_plots.h"
 
 namespace nazori::functions {
 namespace {
@@ -77,12 +78,7 @@ TEST(Conditions, SeparatePlotsStaySeparate) {
 }
 
 TEST(Conditions, ThatCannotBeReadAreRefusedWithTheirColumn) {
-  struct Mistake {
-    const char* typed;
-    F fault;
-    int column;
-  };
-  const Mistake mistakes[] = {
+  const test::Mistake mistakes[] = {
       {"{x>0}", F::condition_alone, 1},
       {"y = {x>0}", F::condition_alone, 5},
       {"y = {1: 2}", F::condition_missing, 7},
@@ -107,16 +103,7 @@ TEST(Conditions, ThatCannotBeReadAreRefusedWithTheirColumn) {
       {"y > x or", F::operand_missing, 9},
       {"y > x and", F::operand_missing, 10},
   };
-  for (const Mistake& m : mistakes) {
-    const auto plot = parse(m.typed);
-    ASSERT_FALSE(plot) << m.typed;
-    EXPECT_EQ(plot.error().fault, m.fault) << m.typed << ": " << plot.error().to_error().what;
-    EXPECT_EQ(plot.error().column, m.column) << m.typed;
-    for (const Language language : {Language::english, Language::japanese}) {
-      EXPECT_FALSE(in_words(plot.error(), language).message.empty()) << m.typed;
-      EXPECT_FALSE(in_words(plot.error(), language).expected.empty()) << m.typed;
-    }
-  }
+  test::expect_refused(mistakes);
 }
 
 TEST(Conditions, ALineMayBreakBesideASign) {

@@ -10,6 +10,7 @@
 #include "nazori/functions/tape.h"
 #include "nazori/functions/tracing.h"
 #include "nazori/functions/value_table.h"
+#include "typed_plots.h"
 
 namespace nazori::functions {
 namespace {
@@ -53,12 +54,7 @@ TEST(Definitions, AreReadInAnyOrderAndWrittenBack) {
 }
 
 TEST(Definitions, ThatCannotBeReadAreRefusedWithTheirColumn) {
-  struct Mistake {
-    const char* typed;
-    F fault;
-    int column;
-  };
-  const Mistake mistakes[] = {
+  const test::Mistake mistakes[] = {
       {"y = a x", F::unknown_name, 5},
       {"a = 2", F::no_expression, 6},
       {"a = 2; y = x; a = 3", F::defined_twice, 15},
@@ -78,12 +74,7 @@ TEST(Definitions, ThatCannotBeReadAreRefusedWithTheirColumn) {
       {"0 <= a <= 1; 0 <= a <= 2; y = a", F::defined_twice, 14},
       {"y = x'", F::does_not_fit, 6},
   };
-  for (const Mistake& m : mistakes) {
-    const auto plot = parse(m.typed);
-    ASSERT_FALSE(plot) << m.typed;
-    EXPECT_EQ(plot.error().fault, m.fault) << m.typed << ": " << plot.error().to_error().what;
-    EXPECT_EQ(plot.error().column, m.column) << m.typed;
-  }
+  test::expect_refused(mistakes);
 }
 
 TEST(Definitions, FunctionsOfFunctionsAreRefusedBeforeTheyFillTheMemory) {

@@ -13,6 +13,7 @@
 #include "nazori/functions/plot.h"
 #include "nazori/functions/tracing.h"
 #include "test_paths.h"
+#include "typed_plots.h"
 
 namespace nazori::functions {
 namespace {
@@ -224,14 +225,8 @@ TEST(Fits, AreInBrailleWithATildeAndTheirValues) {
   EXPECT_EQ(in_braille(plot->statements[2], BrailleCode::ueb), "⠰⠰⠰⠽⠀⠈⠔⠀⠁⠭⠐⠖⠃⠰⠄\n⠰⠰⠰⠁⠀⠐⠶⠀⠼⠃⠰⠄\n⠰⠰⠰⠃⠀⠐⠶⠀⠼⠉⠰⠄");
 }
 
-struct Mistake {
-  const char* typed;
-  F fault;
-  int column;
-};
-
 TEST(Fits, MistakesAreNamedWithTheirColumn) {
-  const Mistake mistakes[] = {
+  const test::Mistake mistakes[] = {
       {"(1, 2); y ~ a x + b", F::too_few_points, 9},
       {"y ~ a x", F::too_few_points, 1},
       {"(1, 2), (1, 3); y ~ a x + b", F::letters_undetermined, 17},
@@ -249,16 +244,7 @@ TEST(Fits, MistakesAreNamedWithTheirColumn) {
       {"(1, 2), f(x) = x ~ a", F::unknown_name, 9},
       {"(1, 2); y = a ~ x", F::unknown_name, 13},
   };
-  for (const Mistake& m : mistakes) {
-    const auto plot = parse(m.typed);
-    ASSERT_FALSE(plot) << m.typed;
-    EXPECT_EQ(plot.error().fault, m.fault) << m.typed << ": " << plot.error().to_error().what;
-    EXPECT_EQ(plot.error().column, m.column) << m.typed;
-    for (const Language language : {Language::english, Language::japanese}) {
-      EXPECT_FALSE(in_words(plot.error(), language).message.empty()) << m.typed;
-      EXPECT_FALSE(in_words(plot.error(), language).expected.empty()) << m.typed;
-    }
-  }
+  test::expect_refused(mistakes);
 }
 
 }  // namespace

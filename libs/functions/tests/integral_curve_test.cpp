@@ -15,15 +15,12 @@
 #include "nazori/functions/points.h"
 #include "nazori/functions/tape.h"
 #include "nazori/functions/value_table.h"
+#include "typed_plots.h"
 
 namespace nazori::functions {
 namespace {
 
-Plot read(const std::string& text) {
-  auto plot = parse(text);
-  EXPECT_TRUE(plot) << text;
-  return plot ? *plot : Plot{};
-}
+using test::read;
 
 std::string last_text(const std::string& text) { return canonical(read(text).statements.back()); }
 
@@ -127,6 +124,15 @@ TEST(IntegralCurve, HasTheSameValuesOnEveryThread) {
   for (auto& s : seen) threads.emplace_back([&s, &values] { s = values(); });
   for (std::thread& t : threads) t.join();
   for (const auto& s : seen) EXPECT_EQ(s, values());
+}
+
+TEST(IntegralCurve, OfAListIsOneCurveForEachElement) {
+  const Plot p = read("y = integral([2, 6] t, t, 0, x)");
+  ASSERT_EQ(p.statements.size(), 2U);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const double at_3 = constant_value(substitute(p.statements[i].terms[0], Variable::x, number(3)));
+    EXPECT_NEAR(at_3, i == 0 ? 9 : 27, 1e-12);
+  }
 }
 
 }  // namespace

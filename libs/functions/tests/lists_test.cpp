@@ -11,6 +11,7 @@
 #include "nazori/functions/points.h"
 #include "nazori/functions/tracing.h"
 #include "nazori/functions/value_table.h"
+#include "typed_plots.h"
 
 namespace nazori::functions {
 namespace {
@@ -154,14 +155,8 @@ TEST(Lists, AreAskedAboutTwoRegionsOnlyWhereTwoAreTyped) {
   EXPECT_EQ(parse("y > [1, 2]; y < x")->questions.size(), 1U);
 }
 
-struct Mistake {
-  const char* typed;
-  F fault;
-  int column;
-};
-
 TEST(Lists, MistakesAreNamedWithTheirColumn) {
-  const Mistake mistakes[] = {
+  const test::Mistake mistakes[] = {
       {"y = [1, [2, 3]]", F::list_in_list, 5},
       {"a = [1, 2]; y = [a, 3]", F::list_in_list, 17},
       {"y = [1, 2, 4...8]", F::list_leads_nowhere, 5},
@@ -182,16 +177,7 @@ TEST(Lists, MistakesAreNamedWithTheirColumn) {
       {"y = [1, 2", F::bracket_open, 10},
       {"y = 1...2", F::does_not_fit, 6},
   };
-  for (const Mistake& m : mistakes) {
-    const auto plot = parse(m.typed);
-    ASSERT_FALSE(plot) << m.typed;
-    EXPECT_EQ(plot.error().fault, m.fault) << m.typed << ": " << plot.error().to_error().what;
-    EXPECT_EQ(plot.error().column, m.column) << m.typed;
-    for (const Language language : {Language::english, Language::japanese}) {
-      EXPECT_FALSE(in_words(plot.error(), language).message.empty()) << m.typed;
-      EXPECT_FALSE(in_words(plot.error(), language).expected.empty()) << m.typed;
-    }
-  }
+  test::expect_refused(mistakes);
 }
 
 TEST(Lists, ACommaBetweenDigitsSeparatesUnlessTheDesktopWritesDecimalCommas) {

@@ -12,17 +12,14 @@
 
 #include "../src/voice.h"
 #include "nazori/functions/sound.h"
+#include "typed_plots.h"
 
 namespace nazori::functions {
 namespace {
 
 constexpr int kRate = 44'100;
 
-Plot read(const std::string& text) {
-  auto plot = parse(text);
-  EXPECT_TRUE(plot) << text;
-  return *plot;
-}
+using test::read;
 
 Sound swept(const std::string& text, const Window& window, SoundSettings settings = {}) {
   const Plot plot = read(text);
