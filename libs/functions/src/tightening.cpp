@@ -89,7 +89,7 @@ Expression arc_of_square(const Node& n) {
   if (!ratio) return nullptr;
   const Expression size = call(Function::abs, {s});
   const double factor = static_cast<double>(ratio->p) / static_cast<double>(ratio->q);
-  const Expression angle =
+  Expression angle =
       call(Function::atan2, {binary(NodeKind::multiply, p, call(Function::sign, {q})),
                              factor == 1 ? size : binary(NodeKind::multiply, number(factor), size)});
   if (n.function == Function::asin) return angle;
