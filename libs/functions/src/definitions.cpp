@@ -45,11 +45,10 @@ bool defines(std::span<const Token> t) {
          t[1].comparison == Comparison::equal;
 }
 
-/// Whether the value is the one of its double: 0.5 and 1/4, not 0.1 and 1/3.
-bool is_exact(const Expression& e, Rational value) {
-  if (e->kind == NodeKind::negate) return is_exact(e->arguments[0], value);
-  if (e->kind == NodeKind::number) return e->exact;
-  return (value.q & (value.q - 1)) == 0;
+/// The number of 2.5 and of -2.5; null for anything else.
+const Node* typed_number(const Expression& e) {
+  const Node& n = e->kind == NodeKind::negate ? *e->arguments[0] : *e;
+  return n.kind == NodeKind::number ? &n : nullptr;
 }
 
 }  // namespace
@@ -202,10 +201,12 @@ Parser::Parsed Parser::parameter_value(const std::string& letter) {
   const auto p = read_parameter(letter);
   if (!p) return tl::unexpected(p.error());
   if (d == nullptr) return parameter(letter, p->value, true);
+  if (const Node* typed = typed_number(d->body)) return parameter(letter, p->value, typed->exact);
   const auto rational = rational_value(d->body);
   // pi/2 stays what it is: as a double it would not be a quarter turn.
   if (!rational) return d->body;
-  return parameter(letter, p->value, is_exact(d->body, *rational));
+  // The double of 1/4 is 1/4, that of 1/3 is not 1/3.
+  return parameter(letter, p->value, (rational->q & (rational->q - 1)) == 0);
 }
 
 Parser::Parsed Parser::function_body(const Token& name) {

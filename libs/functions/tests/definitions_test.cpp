@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Letters that a text defines: parameters with values and ranges, functions and their derivatives.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -172,6 +173,15 @@ TEST(Definitions, AParameterIsAsExactAsItsNumber) {
   EXPECT_GT(ends("y = a; a = 0.1"), 0);
   EXPECT_GT(ends("y = a; a = 1/3"), 0);
   EXPECT_GT(ends("y = a; a = -0.1"), 0);
+}
+
+TEST(Definitions, AParameterKeepsItsLetterWhateverItsNumber) {
+  for (const char* value : {"2", "-2", "0.3333333333333333", "-0.3333333333333333", "33333333333"}) {
+    const std::string text = fmt::format("y = x; x = a*y*a; a = {}", value);
+    const auto plot = parse(text);
+    ASSERT_TRUE(plot) << text;
+    EXPECT_EQ(canonical(*plot), text);
+  }
 }
 
 TEST(ValueTable, HasARowForEachStep) {
