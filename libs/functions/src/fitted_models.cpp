@@ -63,6 +63,8 @@ tl::expected<Statement, SyntaxError> fitted(const Statement& typed, const std::v
     return tl::unexpected(SyntaxError{typed.column, fault});
   };
   if (model.letters().empty()) return refuse(SyntaxFault::no_letter);
+  if (const std::string& letter = model.searched_under_integral(); !letter.empty())
+    return tl::unexpected(SyntaxError{typed.column, SyntaxFault::letter_under_integral, letter});
   const std::vector<DataPoint> points = where(all, conditions);
   if (points.size() < model.letters().size()) {
     SyntaxError error{typed.column, SyntaxFault::too_few_points};

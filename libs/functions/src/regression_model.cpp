@@ -60,6 +60,8 @@ bool is_linear(const Expression& e, const Letters& letters) {
     case NodeKind::divide:
       return linear(a[0]) && constant(a[1]);
     case NodeKind::function:
+      // The sum under an integral may be taken apart, too.
+      if (is_integral(*e)) return linear(a[0]) && constant(a[1]) && constant(a[2]);
       if (e->function != Function::where && e->function != Function::choose) return false;
       return constant(a[0]) && std::all_of(a.begin() + 1, a.end(), linear);
     default:
@@ -85,11 +87,23 @@ Expression factor_of(const Expression& e, const std::string& letter) {
     case NodeKind::divide:
       return binary(e->kind, factor_of(a[0], letter), a[1]);
     default: {
+      if (is_integral(*e)) return with_arguments(*e, {factor_of(a[0], letter), a[1], a[2]});
       std::vector<Expression> parts{a[0]};
       for (std::size_t i = 1; i < a.size(); ++i) parts.push_back(factor_of(a[i], letter));
       return call(e->function, std::move(parts));
     }
   }
+}
+
+/// A letter of these in what is integrated; empty where there is none.
+std::string letter_under_integral(const Expression& e, const Letters& letters) {
+  for (const std::string& name : letters) {
+    if (is_integral(*e) && has_any(e->arguments[0], {name})) return name;
+  }
+  for (const Expression& a : e->arguments) {
+    if (auto name = letter_under_integral(a, letters); !name.empty()) return name;
+  }
+  return "";
 }
 
 /// Stands for letter number `i` in a tape. Nothing else sees it: it has no name.
@@ -125,13 +139,23 @@ RegressionModel::RegressionModel(Expression typed) : typed_(std::move(typed)) {
   };
   std::vector<Variable> all{Variable::x};
   for (std::size_t i = 0; i < letters_.size(); ++i) all.push_back(input_of(i));
-  whole_ = Tape::compile(std::array{with_inputs(typed_)}, all);
   std::vector<Variable> searched{Variable::x};
-  for (const std::size_t i : nonlinear_) searched.push_back(input_of(i));
+  Letters nonlinear;
+  for (const std::size_t i : nonlinear_) {
+    searched.push_back(input_of(i));
+    nonlinear.push_back(letters_[i]);
+  }
+  searched_under_integral_ = letter_under_integral(typed_, nonlinear);
   std::vector<Expression> parts{with_inputs(replaced(typed_, [&linear](const std::string& name) {
     return contains(linear, name) ? number(0) : Expression();
   }))};
-  for (const std::string& name : linear) parts.push_back(with_inputs(factor_of(typed_, name)));
+  Expression sum = parts[0];
+  for (std::size_t k = 0; k < linear.size(); ++k) {
+    parts.push_back(with_inputs(factor_of(typed_, linear[k])));
+    const Expression letter = variable(input_of(linear_[k]));
+    sum = binary(NodeKind::add, sum, binary(NodeKind::multiply, letter, parts.back()));
+  }
+  whole_ = Tape::compile(std::array{sum}, all);
   terms_ = Tape::compile(parts, searched);
 }
 

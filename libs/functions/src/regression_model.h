@@ -30,6 +30,9 @@ class RegressionModel {
   [[nodiscard]] const std::vector<std::size_t>& linear() const { return linear_; }
   [[nodiscard]] const std::vector<std::size_t>& nonlinear() const { return nonlinear_; }
 
+  /// A nonlinear letter in what is integrated, which cannot be searched; empty where there is none.
+  [[nodiscard]] const std::string& searched_under_integral() const { return searched_under_integral_; }
+
   /// The model with x and all letters as inputs, in this order.
   [[nodiscard]] const Tape& whole() const { return whole_; }
   /// With x and the nonlinear letters as inputs: the part without a linear letter, then the factor of each.
@@ -43,6 +46,7 @@ class RegressionModel {
   std::vector<std::string> letters_;
   std::vector<std::size_t> linear_;
   std::vector<std::size_t> nonlinear_;
+  std::string searched_under_integral_;
   Tape whole_;
   Tape terms_;
 };

@@ -126,6 +126,9 @@ SyntaxWords english(const SyntaxError& e) {
               "expected fewer letters, or points with other x"};
     case SyntaxFault::model_undefined:
       return {"the model has no value at x = " + e.subject, "expected a model with a value at every point"};
+    case SyntaxFault::letter_under_integral:
+      return {fmt::format("the letter {} cannot be found where it stands under the integral", e.subject),
+              "expected it as a factor, as in integral(a t^2, t, 0, x)"};
     case SyntaxFault::fit_not_found:
       return {"no values were found with which the model fits the points", "expected a simpler model"};
     case SyntaxFault::not_equal:
@@ -276,6 +279,9 @@ SyntaxWords japanese(const SyntaxError& e) {
     case SyntaxFault::model_undefined:
       return {fmt::format("近似式は x = {} で値がありません", e.subject),
               "すべての点で値がある近似式にしてください"};
+    case SyntaxFault::letter_under_integral:
+      return {fmt::format("積分の中のこの位置では、文字 {} の値を求められません", e.subject),
+              "「integral(a t^2, t, 0, x)」のように、掛ける数として書いてください"};
     case SyntaxFault::fit_not_found:
       return {"近似式に合う値が見つかりません", "もっと簡単な近似式にしてください"};
     case SyntaxFault::not_equal:

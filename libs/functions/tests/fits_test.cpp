@@ -225,6 +225,20 @@ TEST(Fits, AreInBrailleWithATildeAndTheirValues) {
   EXPECT_EQ(in_braille(plot->statements[2], BrailleCode::ueb), "⠰⠰⠰⠽⠀⠈⠔⠀⠁⠭⠐⠖⠃⠰⠄\n⠰⠰⠰⠁⠀⠐⠶⠀⠼⠃⠰⠄\n⠰⠰⠰⠃⠀⠐⠶⠀⠼⠉⠰⠄");
 }
 
+TEST(Fits, LettersThatAreFactorsUnderAnIntegralAreFound) {
+  // The integral of 3t + 1 is 1.5 x^2 + x.
+  const Fit line = fit_of("([1, 2, 3, 4], [2.5, 8, 16.5, 28]); y ~ integral(a t + b, t, 0, x)");
+  EXPECT_NEAR(value_of(line, "a"), 3, 1e-12);
+  EXPECT_NEAR(value_of(line, "b"), 1, 1e-12);
+  EXPECT_NEAR(line.residual_sum, 0, 1e-20);
+  // x^2 + e^(x/2): one letter under the integral, another one that is searched.
+  std::vector<DataPoint> data;
+  for (double x = -2; x <= 2; x += 0.5) data.push_back({x, x * x + std::exp(x / 2)});
+  const Fit both = fit_of("y ~ integral(a t, t, 0, x) + e^(c x)", data);
+  EXPECT_NEAR(value_of(both, "a"), 2, 1e-8);
+  EXPECT_NEAR(value_of(both, "c"), 0.5, 1e-8);
+}
+
 TEST(Fits, MistakesAreNamedWithTheirColumn) {
   const test::Mistake mistakes[] = {
       {"(1, 2); y ~ a x + b", F::too_few_points, 9},
@@ -233,6 +247,8 @@ TEST(Fits, MistakesAreNamedWithTheirColumn) {
       {"([1, 2, 3], [1, 2, 4]); y ~ a x + b x", F::letters_undetermined, 25},
       {"([1, 2, 3], [1, 2, 4]); y ~ a b x", F::letters_undetermined, 25},
       {"([0, 1, 2], [1, 2, 3]); y ~ a ln(x)", F::model_undefined, 25},
+      {"([0, 1, 2], [1, 2, 3]); y ~ integral(e^(a t), t, 0, x)", F::letter_under_integral, 25},
+      {"([0, 1, 2], [1, 2, 3]); y ~ b + integral(t + a, t, b, x)", F::letter_under_integral, 25},
       {"(1, 2); y ~ 2x", F::no_letter, 9},
       {"(1, 2); x ~ a y", F::model_form, 9},
       {"(1, 2); y ~ a t", F::model_form, 9},

@@ -65,14 +65,15 @@ enum class SyntaxFault : std::uint8_t {
   two_equations,                ///< joined by "and"
   choice_in_region,             ///< "or" in the braces of an inequality
   point_not_two_numbers,
-  model_form,            ///< not y ~ an expression in x
-  no_letter,             ///< of a model without letters to fit
-  too_few_points,        ///< `number` of them for a model of `wanted` letters
-  letters_undetermined,  ///< of a model: other values fit as well
-  model_undefined,       ///< at x = subject
-  fit_not_found,         ///< the search for the letters does not end
-  not_equal,             ///< subject is the sign
-  list,                  ///< square brackets around points
+  model_form,             ///< not y ~ an expression in x
+  no_letter,              ///< of a model without letters to fit
+  too_few_points,         ///< `number` of them for a model of `wanted` letters
+  letters_undetermined,   ///< of a model: other values fit as well
+  model_undefined,        ///< at x = subject
+  letter_under_integral,  ///< subject, of a model, is in what is integrated, and not as a factor
+  fit_not_found,          ///< the search for the letters does not end
+  not_equal,              ///< subject is the sign
+  list,                   ///< square brackets around points
   list_in_list,
   list_leads_nowhere,  ///< the numbers of [1...5]
   list_misplaced,      ///< where a single number must be
