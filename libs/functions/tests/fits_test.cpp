@@ -248,7 +248,7 @@ TEST(Fits, MistakesAreNamedWithTheirColumn) {
       {"([1, 2, 3], [1, 2, 4]); y ~ a b x", F::letters_undetermined, 25},
       {"([0, 1, 2], [1, 2, 3]); y ~ a ln(x)", F::model_undefined, 25},
       {"([0, 1, 2], [1, 2, 3]); y ~ integral(e^(a t), t, 0, x)", F::letter_under_integral, 25},
-      {"([0, 1, 2], [1, 2, 3]); y ~ b + integral(t + a, t, b, x)", F::letter_under_integral, 25},
+      {"([0, 1, 2], [1, 2, 3]); y ~ b + integral(sin(a t), t, 0, x)", F::letter_under_integral, 25},
       {"(1, 2); y ~ 2x", F::no_letter, 9},
       {"(1, 2); x ~ a y", F::model_form, 9},
       {"(1, 2); y ~ a t", F::model_form, 9},

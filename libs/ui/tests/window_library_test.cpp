@@ -98,6 +98,24 @@ TEST_F(Finding, PartsAndRadicalsAreChosenInTables) {
   EXPECT_TRUE(find<QLineEdit>("search")->text().contains(QStringLiteral("radical:9")));
 }
 
+TEST_F(Finding, ATableHasTheKeyboardWhileItIsOpen) {
+  const auto has_keyboard = [this](const QString& name) {
+    return QTest::qWaitFor(
+        [&] {
+          const auto* with_it = window_->focusWidget();
+          return with_it != nullptr && with_it->objectName().startsWith(name);
+        },
+        20'000);
+  };
+  auto* by_parts = find<QAction>("find_by_parts");
+  by_parts->trigger();
+  EXPECT_TRUE(has_keyboard(QStringLiteral("table_part_"))) << "the tables arrive after the panel is open";
+  by_parts->trigger();
+  EXPECT_TRUE(has_keyboard(QStringLiteral("search")));
+  find<QAction>("find_by_radical")->trigger();
+  EXPECT_TRUE(has_keyboard(QStringLiteral("table_radical_1")));
+}
+
 TEST_F(Finding, EnterShowsTheBestFind) {
   QSignalSpy shown(window_.get(), &MainWindow::character_shown);
   auto* box = find<QLineEdit>("search");

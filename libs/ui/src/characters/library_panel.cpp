@@ -362,7 +362,10 @@ void LibraryPanel::make_conditions() {
 void LibraryPanel::show_table(int table) {
   if (table != TablePicker::kNone) library_->request_tables();
   tables_->show_table(table);
-  tables_->setVisible(table != TablePicker::kNone);
+  const bool is_open = table != TablePicker::kNone;
+  if (!is_open && has_keyboard(*tables_)) focus_search();
+  tables_->setVisible(is_open);
+  if (is_open) tables_->take_keyboard();
   emit table_shown(table == TablePicker::kParts, table == TablePicker::kRadicals);
 }
 

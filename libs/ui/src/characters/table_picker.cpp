@@ -90,10 +90,18 @@ void TablePicker::show_tables(const std::shared_ptr<const practice::CharacterTab
   }
   fit();
   set_query(query_);
+  if (awaits_tables_ && isVisible()) take_keyboard();
 }
 
 void TablePicker::show_table(int table) {
   if (table != kNone) stack_->setCurrentIndex(table);
+}
+
+void TablePicker::take_keyboard() {
+  awaits_tables_ = tables_ == nullptr;
+  const auto buttons = stack_->currentWidget()->findChildren<QPushButton*>();
+  const auto first = std::find_if(buttons.begin(), buttons.end(), [](auto* b) { return b->isEnabled(); });
+  if (first != buttons.end()) (*first)->setFocus(Qt::ShortcutFocusReason);
 }
 
 void TablePicker::set_query(const kanji::Query& query) {

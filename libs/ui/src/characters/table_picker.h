@@ -26,6 +26,8 @@ class TablePicker final : public QWidget {
   void show_tables(const std::shared_ptr<const practice::CharacterTables>& tables);
   /// @param table  kParts or kRadicals; kNone changes nothing.
   void show_table(int table);
+  /// Gives the keyboard to the first button of the shown table, at once or as soon as there are tables.
+  void take_keyboard();
   /// Shows what a search is by.
   void set_query(const kanji::Query& query);
 
@@ -51,6 +53,7 @@ class TablePicker final : public QWidget {
   QScrollArea* radicals_;
   QList<QPushButton*> part_buttons_;
   QHash<int, QPushButton*> radical_buttons_;
+  bool awaits_tables_ = false;
 };
 
 }  // namespace nazori::ui

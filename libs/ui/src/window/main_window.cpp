@@ -321,8 +321,10 @@ void MainWindow::Inside::fit() {
 }
 
 void MainWindow::Inside::focus_tablet() {
-  (current->instead_of_tablet() != nullptr ? current->instead_of_tablet() : tablet_container)
-      ->setFocus(Qt::OtherFocusReason);
+  if (auto* instead = current->instead_of_tablet())
+    instead->setFocus(Qt::OtherFocusReason);
+  else
+    focus_window_container(*tablet_container, tablet_window);
 }
 
 bool MainWindow::Inside::may_close(bool quits) {

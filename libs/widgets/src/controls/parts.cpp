@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLayout>
@@ -86,6 +87,10 @@ QDialogButtonBox* dialog_buttons(QDialogButtonBox::StandardButtons which, QDialo
 bool has_keyboard(const QWidget& panel) {
   const auto* with_it = panel.window()->focusWidget();
   return with_it != nullptr && panel.isVisible() && panel.isAncestorOf(with_it);
+}
+
+void focus_window_container(QWidget& container, const QWindow* inside) {
+  if (inside == nullptr || QGuiApplication::focusWindow() != inside) container.setFocus(Qt::OtherFocusReason);
 }
 
 bool is_tablet(const QObject* object) {

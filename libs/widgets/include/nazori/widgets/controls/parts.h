@@ -13,6 +13,7 @@ class QMimeData;
 class QPushButton;
 class QScrollArea;
 class QTableWidget;
+class QWindow;
 
 namespace nazori::ui {
 
@@ -57,6 +58,12 @@ void clear_layout(QLayout* layout);
 /// Whether the keyboard is in a panel that is shown. Before the panel is hidden the keyboard is given to the
 /// tablet, or Qt gives it to whatever comes next.
 [[nodiscard]] bool has_keyboard(const QWidget& panel);
+
+/// Gives the keyboard to a widget that shows a window of its own. While `inside`, that window, has the
+/// keyboard, Qt takes this for Tab out of it and gives the keyboard to the widget after it: then nothing is
+/// to be done.
+/// @param inside  null where the widget is an ordinary one
+void focus_window_container(QWidget& container, const QWindow* inside);
 
 /// Whether keys that this object receives are meant for the tablet: its widget, or the window inside it.
 [[nodiscard]] bool is_tablet(const QObject* object);
