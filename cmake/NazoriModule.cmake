@@ -130,10 +130,10 @@ endfunction()
 # of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are visible to users of the public headers,
 # PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE they run after
 # kanji.db has been built and find its folder in the environment variable NAZORI_DATA. ISOLATED_TESTS: a pattern for
-# test files whose tests need a process each, because they share one set of signals. With the address sanitizer the other
-# tests share SANITIZED_PARTS processes (2 unless told otherwise), without those that the filter NOT_SANITIZED names;
-# otherwise each test has its own process. The thread sanitizer builds only THREADED_TESTS: tests of code without threads
-# cannot race. It runs all of them but those that NOT_SANITIZED or NOT_THREADED names. TESTS_TOGETHER: see
+# test files whose tests need a process each, because they share one set of signals. With a sanitizer the other tests
+# share SANITIZED_PARTS processes (2 unless told otherwise), without those that the filter NOT_SANITIZED names; otherwise
+# each test has its own process. The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot
+# race. It runs all of them but those that NOT_SANITIZED or NOT_THREADED names. TESTS_TOGETHER: see
 # nazori_compile_together.
 function(nazori_module name)
   cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" "ISOLATED_TESTS;SANITIZED_PARTS;NOT_SANITIZED;NOT_THREADED"
@@ -185,19 +185,19 @@ function(nazori_module name)
       list(APPEND properties FIXTURES_REQUIRED kanji_database)
     endif()
     set(filter "")
-    if(NAZORI_SANITIZE STREQUAL "thread")
-      string(JOIN ":" left_out ${m_NOT_SANITIZED} ${m_NOT_THREADED})
-      if(left_out)
-        set(filter TEST_FILTER "-${left_out}")
+    if(NAZORI_SANITIZE)
+      set(left_out ${m_NOT_SANITIZED})
+      if(NAZORI_SANITIZE STREQUAL "thread")
+        list(APPEND left_out ${m_NOT_THREADED})
       endif()
-    elseif(NAZORI_SANITIZE MATCHES "address")
+      list(JOIN left_out ":" left_out)
       nazori_isolated_suites(isolated shared "${m_ISOLATED_TESTS}" ${m_TESTS})
       if(shared)
-        nazori_test_parts(${name} "${m_SANITIZED_PARTS}" "${isolated}:${m_NOT_SANITIZED}" "${properties}")
-        set(filter TEST_FILTER "${isolated}")
+        nazori_test_parts(${name} "${m_SANITIZED_PARTS}" "${isolated}:${left_out}" "${properties}")
       endif()
+      set(filter TEST_FILTER "${isolated}-${left_out}")
     endif()
-    if(isolated OR NOT NAZORI_SANITIZE MATCHES "address")
+    if(isolated OR NOT NAZORI_SANITIZE)
       gtest_discover_tests(${target}_tests TEST_PREFIX "${name}." ${filter} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
     endif()
   endif()
