@@ -14,7 +14,7 @@ function(nazori_test_program target)
 endfunction()
 
 # Patterns of code that starts a thread.
-set(NAZORI_THREAD_WORDS "std::j?thread|std::async|pthread_create|RtThread|asio::|SDL_OpenAudioDevice|QThread")
+set(NAZORI_THREAD_WORDS "std::j?thread|base::Bands|std::async|pthread_create|RtThread|asio::|SDL_OpenAudioDevice|QThread")
 
 # nazori_isolated_suites(ISOLATED SHARED REGEX TESTS...)
 #
@@ -43,12 +43,22 @@ function(nazori_isolated_suites isolated shared regex)
 endfunction()
 
 # nazori_test_parts(NAME COUNT WITHOUT PROPERTIES): the tests of nazori_NAME_tests in COUNT processes (empty: 2), but for
-# those of the filter WITHOUT. The start of a sanitized program takes longer than most tests.
+# those of the filter WITHOUT. The start of a sanitized program takes longer than most tests. COUNT "2/8": with the
+# address sanitizer two of eight parts run, always the same (NAZORI_SANITIZE_ALL: all of them), so each eighth test and
+# the next one.
 function(nazori_test_parts name count without properties)
   if(NOT count)
     set(count 2)
   endif()
-  math(EXPR last "${count} - 1")
+  set(run ${count})
+  if(count MATCHES "^([0-9]+)/([0-9]+)$")
+    set(run ${CMAKE_MATCH_1})
+    set(count ${CMAKE_MATCH_2})
+    if(NAZORI_SANITIZE_ALL OR NOT NAZORI_SANITIZE MATCHES "address")
+      set(run ${count})
+    endif()
+  endif()
+  math(EXPR last "${run} - 1")
   foreach(part RANGE 0 ${last})
     add_test(NAME ${name}.part_${part} COMMAND nazori_${name}_tests --gtest_brief=1 "--gtest_filter=*-${without}")
     # A part runs hundreds of tests, on a busy machine for longer than any one of them may.
@@ -131,7 +141,7 @@ endfunction()
 # PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE they run after
 # kanji.db has been built and find its folder in the environment variable NAZORI_DATA. ISOLATED_TESTS: a pattern for
 # test files whose tests need a process each, because they share one set of signals. With a sanitizer the other tests
-# share SANITIZED_PARTS processes (2 unless told otherwise), without those that the filter NOT_SANITIZED names; otherwise
+# share SANITIZED_PARTS processes (2 unless told otherwise; "2/8": see nazori_test_parts), without those that the filter NOT_SANITIZED names; otherwise
 # each test has its own process. The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot
 # race. It runs all of them but those that NOT_SANITIZED or NOT_THREADED names. TESTS_TOGETHER: see
 # nazori_compile_together.
