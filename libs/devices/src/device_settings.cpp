@@ -7,6 +7,8 @@
 #include <charconv>
 #include <utility>
 
+#include "nazori/surface/ball_surface.h"
+
 namespace nazori::devices {
 namespace {
 
@@ -23,6 +25,7 @@ static_assert(static_cast<int>(WritingHand::right) == 0 && static_cast<int>(Writ
 
 constexpr std::array<const char*, 3> kCentre{"centre_x", "centre_y", "centre_z"};
 constexpr std::string_view kKnown = "known/";
+constexpr const char* kTip = "tip_radius_mm";
 
 template <class Enum, std::size_t N>
 void set_name(base::Settings& s, std::string key, const std::array<std::string_view, N>& names, Enum value) {
@@ -120,6 +123,7 @@ void DeviceMemory::load(const base::Settings& s) {
     *number = number_setting(s, std::string("material_") + name, *number, 0, 1);
   material.dynamic_friction = std::min(material.dynamic_friction, material.static_friction);
   material.texture = named_setting(s, "material_texture", kTextureNames, material.texture);
+  tip_radius_m = number_setting(s, kTip, 1e3 * tip_radius_m, 0, 1e3 * surface::kLargestBall_m) / 1e3;
   for (auto at = s.lower_bound(kKnown); at != s.end() && at->first.starts_with(kKnown); ++at) {
     const auto end = at->first.find('/', kKnown.size());
     if (end == std::string::npos) continue;
@@ -132,6 +136,7 @@ void DeviceMemory::save(base::Settings& s) const {
   s.insert_or_assign("chosen", chosen);
   for (auto [name, number] : numbers(material)) set_number(s, std::string("material_") + name, *number);
   set_name(s, "material_texture", kTextureNames, material.texture);
+  set_number(s, kTip, 1e3 * tip_radius_m);
   for (const auto& [id, device] : devices) write_device(s, folder_of(id), device);
 }
 

@@ -27,6 +27,7 @@ TEST_F(StoredDevices, HoldsEachDeviceTheMaterialAndTheChoice) {
   DeviceMemory memory;
   memory.chosen = "inverse3:049D";
   memory.material = {0.1, 0.2, 0.4, 0.3, 0.6, haptics::Texture::stone, 0.7};
+  memory.tip_radius_m = 0.0017;
   DeviceSettings& arm = memory.devices["arm/1: Ä"];
   arm.posture = {0.5, -1.25, WritingHand::left};
   arm.calibration = WorkspaceCalibration{1.5, {0.1, -0.2, 0.3}, arm.posture, 0.75};
@@ -45,6 +46,7 @@ TEST_F(StoredDevices, HoldsEachDeviceTheMaterialAndTheChoice) {
   EXPECT_EQ(read.material.popthrough, 0.6);
   EXPECT_EQ(read.material.texture, haptics::Texture::stone);
   EXPECT_EQ(read.material.roughness, 0.7);
+  EXPECT_NEAR(read.tip_radius_m, 0.0017, 1e-15);
   ASSERT_EQ(read.devices.size(), 2U);
   const DeviceSettings again = settings_of(read.devices, "arm/1: Ä");
   EXPECT_EQ(again.posture.tilt_rad, 0.5);
@@ -102,6 +104,7 @@ TEST_F(StoredDevices, KeepsWhatMakesSenseOfAFileThatDoesNot) {
   write("material_dynamic_friction", "0.75");
   write("material_roughness", "rough");
   write("material_texture", "velvet");
+  write("tip_radius_mm", "3.5");
   const DeviceMemory read = load();
   const DeviceSettings arm = settings_of(read.devices, "arm:1");
   EXPECT_EQ(arm.posture.tilt_rad, 2);
@@ -116,6 +119,11 @@ TEST_F(StoredDevices, KeepsWhatMakesSenseOfAFileThatDoesNot) {
   EXPECT_EQ(read.material.dynamic_friction, 0.25) << "what slides is never held more than what rests";
   EXPECT_EQ(read.material.roughness, haptics::Material{}.roughness);
   EXPECT_EQ(read.material.texture, haptics::Texture::none);
+  EXPECT_EQ(read.tip_radius_m, 0.003);
+  write("tip_radius_mm", "-1");
+  EXPECT_EQ(load().tip_radius_m, 0);
+  write("tip_radius_mm", "wide");
+  EXPECT_EQ(load().tip_radius_m, 0);
 }
 
 TEST_F(StoredDevices, HoldsPosturesBackOnTheOtherSideToo) {

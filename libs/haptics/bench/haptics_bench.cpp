@@ -14,6 +14,7 @@
 
 #include "nazori/haptics/servo.h"
 #include "nazori/haptics/surface_contact.h"
+#include "nazori/surface/ball_surface.h"
 #include "workload.h"
 
 namespace nazori::haptics {
@@ -123,6 +124,30 @@ void BM_SurfaceContact(benchmark::State& state) {
 BENCHMARK(BM_SurfaceContact)
     ->ArgsProduct({{128, 2048}, {0, 1, 2}, {0, 1}})
     ->ArgNames({"size", "path", "friction"})
+    ->Unit(benchmark::kMillisecond);
+
+/// Contact of a ball beside that of a point in the same run: the ball's own surface, and the hand as deep
+/// below it as it is below the map in the workload. Arguments: map size, path, tenths of a millimetre of the
+/// radius; 0 is the point.
+void BM_BallContact(benchmark::State& state) {
+  const Work& work = Work::of(static_cast<int>(state.range(0)));
+  const auto felt =
+      *surface::surface_for_ball(work.map, workload::shape(), 1e-4 * static_cast<double>(state.range(2)));
+  const TabletSurface tablet(*felt, workload::shape());
+  std::vector<Vec3> path = work.paths[static_cast<std::size_t>(state.range(1))];
+  for (Vec3& p : path) p.z += tablet.height(p.x, p.y) - work.tablet.height(p.x, p.y);
+  SurfaceContact contact;
+  measure(
+      state, [&] { contact = SurfaceContact(); },
+      [&](std::size_t i) {
+        contact.update(tablet, path[i], Friction{});
+        benchmark::DoNotOptimize(contact.proxy_m());
+      },
+      [](std::size_t) {});
+}
+BENCHMARK(BM_BallContact)
+    ->ArgsProduct({{128, 2048}, {0, 1, 2}, {0, 10, 30}})
+    ->ArgNames({"size", "path", "tenths_mm"})
     ->Unit(benchmark::kMillisecond);
 
 /// The strokes of the workload's kanji in metres, at the floor of their grooves.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "nazori/surface/ball_surface.h"
 #include "servo_inside.h"
 
 namespace nazori::haptics {
@@ -40,9 +41,17 @@ bool usable(const FrictionZones& zones, int size) {
                      [&](std::uint8_t zone) { return zone <= zones.added.size(); });
 }
 
+/// The strokes as the lowest point of a ball can follow them: not below the surface that is made for it.
+std::vector<StrokePath> above(std::vector<StrokePath> strokes, const TabletSurface& surface) {
+  for (StrokePath& stroke : strokes)
+    for (Vec3& p : stroke.points) p.z = std::max(p.z, surface.height(p.x, p.y));
+  return strokes;
+}
+
 bool same_lesson(const HapticScene& a, const HapticScene& b) {
-  return a.guiding.mode == b.guiding.mode && a.guiding.stroke == b.guiding.stroke &&
-         a.guiding.attempt == b.guiding.attempt && a.guiding.seed == b.guiding.seed &&
+  return a.tip_radius_m == b.tip_radius_m && a.guiding.mode == b.guiding.mode &&
+         a.guiding.stroke == b.guiding.stroke && a.guiding.attempt == b.guiding.attempt &&
+         a.guiding.seed == b.guiding.seed &&
          std::equal(a.strokes.begin(), a.strokes.end(), b.strokes.begin(), b.strokes.end(),
                     [](const StrokePath& p, const StrokePath& q) { return p.points == q.points; });
 }
@@ -59,6 +68,10 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
   const DeviceLimits& limits = device.limits;
   if (scene->surface && !scene->soft_tip && scene->shape.width_m > 0 && scene->shape.depth_m > 0)
     surface = TabletSurface(*scene->surface, scene->shape);
+  if (surface.exists()) tip_radius_m = within(scene->tip_radius_m, 0, surface::kLargestBall_m);
+  const std::vector<StrokePath> raised =
+      tip_radius_m > 0 ? above(scene->strokes, surface) : std::vector<StrokePath>();
+  const std::vector<StrokePath>& followed = tip_radius_m > 0 ? raised : scene->strokes;
   const auto with = [&material](double added) {
     const double hold = coefficient(material.static_friction + added);
     return Friction{hold, std::min(coefficient(material.dynamic_friction + added), hold)};
@@ -99,7 +112,7 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
   }
 
   if (guiding.mode != GuidingMode::off) {
-    plan = GuidancePlan(scene->strokes, within(guiding.speed_m_s, 0.005, 0.2));
+    plan = GuidancePlan(followed, within(guiding.speed_m_s, 0.005, 0.2));
     first_stroke = std::max(1, guiding.stroke);
     guide.mode = guiding.mode;
     guide.strength = fraction(guiding.strength);
@@ -113,7 +126,7 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
   }
 
   if (!snaps) return;
-  strokes = StrokeIndex(scene->strokes, std::max(0, snapping.stroke));
+  strokes = StrokeIndex(followed, std::max(0, snapping.stroke));
   snap.stiffness_n_m = pull_n_m;
   snap.snap_distance_m =
       positive(snapping.snap_distance_m, kPullOff_n / positive(limits.max_stiffness_n_m, 500));

@@ -37,6 +37,7 @@ struct ServoScene {
   double popthrough_n = 0;  ///< 0: off
   Texture texture = Texture::none;
   double roughness = 0;
+  double tip_radius_m = 0;
   StrokeIndex strokes;  ///< empty while snapping is off
   StrokeConstraint::Settings snap;
   std::uint64_t lesson = 0;  ///< another number: another lesson

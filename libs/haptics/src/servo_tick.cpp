@@ -169,7 +169,7 @@ Vec3 Servo::Inside::contact_force(const Vec3& device_m) noexcept {
     const double push = glm::dot(force, normal);
     if (push < 0) force -= push * normal;  // a surface does not pull
   }
-  return textured(force, normal, contact.proxy_m(), scene->texture, scene->roughness);
+  return textured(force, normal, contact.touched_m(scene->tip_radius_m), scene->texture, scene->roughness);
 }
 
 Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
@@ -225,7 +225,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     if (scene == nullptr) {
       contact.free_at(device_m);
     } else {
-      contact.update(scene->surface, device_m, scene->friction_at(contact.proxy_m()));
+      contact.update(scene->surface, device_m, scene->friction_at(contact.touched_m(scene->tip_radius_m)));
       if (pushed_through) {
         if (contact.touching())
           contact.free_at(device_m);

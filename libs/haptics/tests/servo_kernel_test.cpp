@@ -27,6 +27,7 @@ TEST(ServoTick, NeverEntersTheKernelEvenWhenScenesChangeFaultsComeAndTheQueueIsF
     scene->strokes.push_back({{{-0.04, 0, -0.01}, {0.04, 0, -0.01}}});
     scene->snapping.enabled = mode == GuidingMode::off;
     scene->guiding.mode = mode;
+    scene->tip_radius_m = mode == GuidingMode::lead ? 0.001 : 0;
     if (mode == GuidingMode::disturb)
       scene->soft_tip = std::make_shared<SoftTip>(SoftTip{0.005, {0, 0.1, 0.3, 0.4}});
     servo.set_scene(scene);

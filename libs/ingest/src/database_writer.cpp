@@ -33,6 +33,7 @@ SQLite::Database make(const std::filesystem::path& path) {
   // The file is discarded when anything fails, and flushed as a whole at the end.
   db.exec(
       "PRAGMA page_size = 4096; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF;"
+      "PRAGMA cache_size = -131072;"
       "PRAGMA application_id = " +
       std::to_string(kanji::kSchemaApplicationId) +
       "; PRAGMA user_version = " + std::to_string(kanji::kSchemaVersion) + "; BEGIN");

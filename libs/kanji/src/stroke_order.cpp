@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "nazori/base/file.h"
 #include "nazori/geometry/frames.h"
+#include "nazori/geometry/needed_points.h"
 #include "nazori/geometry/polyline.h"
 
 namespace nazori::kanji {
@@ -52,36 +54,6 @@ base::Result<std::int32_t> read_count(Int32Reader& reader, const std::string& wh
 void append(std::vector<std::uint8_t>& bytes, std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
   for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(bits >> (8U * i)));
-}
-
-/// The points of a line that are needed to stay within `tolerance` of all of them.
-/// @source D. Douglas, T. Peucker, Algorithms for the reduction of the number of points, 1973.
-std::vector<geometry::GridPoint> simplify(const std::vector<geometry::GridPoint>& line, double tolerance) {
-  if (line.size() <= 2) return line;
-  std::vector<bool> kept(line.size(), false);
-  kept.front() = kept.back() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
-  while (!open.empty()) {
-    const auto [first, last] = open.back();
-    open.pop_back();
-    double worst = tolerance;
-    std::size_t split = 0;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const double d = geometry::distance_to_segment(line[i], line[first], line[last]);
-      if (d > worst) {
-        worst = d;
-        split = i;
-      }
-    }
-    if (split == 0) continue;
-    kept[split] = true;
-    open.emplace_back(first, split);
-    open.emplace_back(split, last);
-  }
-  std::vector<geometry::GridPoint> out;
-  for (std::size_t i = 0; i < line.size(); ++i)
-    if (kept[i]) out.push_back(line[i]);
-  return out;
 }
 
 /// True where the last segment is a hook: short compared with the rest and turned by more than 60 degrees.
@@ -184,7 +156,9 @@ StrokeOrder StrokeOrder::from_lines(std::span<const geometry::Polyline<geometry:
     grid.reserve(line.size());
     for (const geometry::GlyphPoint p : line) grid.push_back(geometry::glyph_to_grid(p, grid_size));
     Points points;
-    for (const geometry::GridPoint p : simplify(grid, kTolerance)) {
+    for (const std::size_t i :
+         geometry::needed_points(std::span<const geometry::GridPoint>(grid), kTolerance)) {
+      const geometry::GridPoint p = grid[i];
       const auto whole = [last](double v) {
         return static_cast<std::int32_t>(std::lround(std::isfinite(v) ? std::clamp(v, 0.0, last) : 0.0));
       };

@@ -23,7 +23,8 @@ using haptics::Vec3;
 // damage by a transfer as text.
 constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'N', 'Z', 'R', '\r', '\n', 0x1A, '\n'};
 constexpr std::uint32_t kByteOrder = 0x01020304;
-constexpr std::uint16_t kMajor = 1, kMinor = 0;
+constexpr std::uint16_t kMajor = 1, kMinor = 1;
+constexpr std::size_t kTipAt = 144;  // since 1.1; zero before
 constexpr std::size_t kDeviceAt = 160, kDeviceBytes = 128, kCharacterAt = 288, kCharacterBytes = 128;
 constexpr std::size_t kHeaderCrcAt = kHeaderBytes - 4, kRecordCrcAt = kRecordBytes - 4;
 constexpr std::size_t kFlagsAt = 146;
@@ -108,6 +109,7 @@ std::array<std::uint8_t, kHeaderBytes> encode_header(const Session& session) {
   }
   store(bytes, at, static_cast<std::uint32_t>(session.device.has_force ? 1 : 0));
   std::copy(session.id.begin(), session.id.end(), bytes.begin() + 128);
+  store(bytes, kTipAt, session.tip_radius_m);
   store_text(bytes, kDeviceAt, kDeviceBytes, session.device.name);
   store_text(bytes, kCharacterAt, kCharacterBytes, session.character);
   store(bytes, kHeaderCrcAt, checksum(std::span(bytes).first(kHeaderCrcAt)));
@@ -142,6 +144,7 @@ base::Result<Session> decode_header(std::span<const std::uint8_t> bytes, const s
     return base::fail(Errc::parse, "has no sensible rate", name);
   session.device.has_force = load<std::uint32_t>(bytes, at) != 0;
   std::copy_n(bytes.begin() + 128, session.id.size(), session.id.begin());
+  session.tip_radius_m = load<double>(bytes, kTipAt);
   session.device.name = load_text(bytes, kDeviceAt, kDeviceBytes);
   session.character = load_text(bytes, kCharacterAt, kCharacterBytes);
   return session;

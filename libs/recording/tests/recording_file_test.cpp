@@ -148,14 +148,19 @@ TEST(RecordingFile, HasTheTenNumbersOfTheTabletAndTheDeviceInTheirPlaces) {
   session.shape = {1.5, 2.5};
   session.device.limits = {3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5, 10.5};
   session.device.has_force = false;
+  session.tip_radius_m = 0.0015;
   const auto bytes = encode_header(session);
+  double tip_m = 0;
+  std::memcpy(&tip_m, bytes.data() + 144, 8);
+  EXPECT_EQ(tip_m, 0.0015);
+  EXPECT_EQ(decode_header(bytes, "a.nzr")->tip_radius_m, 0.0015);
   for (std::size_t i = 0; i < 10; ++i) {
     double number = 0;
     std::memcpy(&number, bytes.data() + 40 + 8 * i, 8);
     EXPECT_EQ(number, 1.5 + static_cast<double>(i)) << i;
   }
-  EXPECT_EQ(bytes[14], 0) << "the minor version";
-  for (const auto& [from, to] : {std::pair{120U, 128U}, std::pair{144U, 160U}, std::pair{416U, 508U}})
+  EXPECT_EQ(bytes[14], 1) << "the minor version";
+  for (const auto& [from, to] : {std::pair{120U, 128U}, std::pair{152U, 160U}, std::pair{416U, 508U}})
     for (std::size_t at = from; at < to; ++at) EXPECT_EQ(bytes[at], 0) << at;
   for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(bytes[128 + i], i * 17);
   const auto read = decode_header(bytes, "a.nzr");

@@ -18,6 +18,20 @@ tl::unexpected<base::Error> damaged_entry(std::int64_t id, const std::string& fi
                     "take a backup: nazori-cli study restore");
 }
 
+std::vector<LearnerStore::LoggedEntry> only_writings(std::vector<LearnerStore::LoggedEntry> entries) {
+  std::erase_if(entries,
+                [](const LearnerStore::LoggedEntry& one) { return one.entry.kind != EntryKind::writing; });
+  return entries;
+}
+
+/// The days are counted already, so a search can end with their last writing. @param count  takes the days as
+/// its first two values.
+std::int64_t writings_counted(SQLite::Statement& count, Day first, Day last) {
+  count.bind(1, number_of(first));
+  count.bind(2, number_of(last));
+  return count.executeStep() ? count.getColumn(0).getInt64() : 0;
+}
+
 std::span<const std::uint8_t> bytes_of(const SQLite::Column& column) {
   return {static_cast<const std::uint8_t*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
 }
@@ -52,19 +66,20 @@ base::Result<std::vector<LearnerStore::LoggedEntry>> LearnerStore::writings_of(c
 base::Result<std::vector<LearnerStore::LoggedEntry>> LearnerStore::writings_of(char32_t character, Day first,
                                                                                Day last) const {
   return inside_->guarded([&]() -> base::Result<std::vector<LoggedEntry>> {
-    // The days are counted already, so the search ends with their last writing. The newest come first: most
-    // questions are about the last days of a long history.
+    // The newest come first: most questions are about the last days of a long history.
     SQLite::Statement count(
         inside_->db,
-        "SELECT coalesce(sum(writings), 0) FROM character_day WHERE character = ? AND day "
-        "BETWEEN ? AND ?");
-    count.bind(1, static_cast<std::int64_t>(character));
-    count.bind(2, number_of(first));
-    count.bind(3, number_of(last));
-    const std::int64_t writings = count.executeStep() ? count.getColumn(0).getInt64() : 0;
-    std::vector<LoggedEntry> entries = inside_->entries_of(character, first, last, writings);
-    std::erase_if(entries, [](const LoggedEntry& one) { return one.entry.kind != EntryKind::writing; });
-    return entries;
+        "SELECT coalesce(sum(writings), 0) FROM character_day WHERE day BETWEEN ? AND ? AND character = ?");
+    count.bind(3, static_cast<std::int64_t>(character));
+    return only_writings(inside_->entries_of(character, first, last, writings_counted(count, first, last)));
+  });
+}
+
+base::Result<std::vector<LearnerStore::LoggedEntry>> LearnerStore::writings_on(Day first, Day last) const {
+  return inside_->guarded([&]() -> base::Result<std::vector<LoggedEntry>> {
+    SQLite::Statement count(inside_->db,
+                            "SELECT coalesce(sum(writings), 0) FROM study_day WHERE day BETWEEN ? AND ?");
+    return only_writings(inside_->entries_of({}, first, last, writings_counted(count, first, last)));
   });
 }
 

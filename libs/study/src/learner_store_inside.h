@@ -65,11 +65,10 @@ struct LearnerStore::Inside {
   [[nodiscard]] const Settings& settings() const { return timeline.back().second; }
   void load_calendar();
 
-  /// Writings and other entries of one character that were not undone. Throws SQLite::Exception, also for an
-  /// invalid row, because a card must not be computed without it.
-  /// Of the days from `first` to `last`. @param writings  so many of them are writings: it ends with the last
-  /// one.
-  [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character, Day first = kFirstDay,
+  /// Writings and other entries of one character, or of every one, that were not undone. Throws
+  /// SQLite::Exception, also for an invalid row, because a card must not be computed without it. Of the days
+  /// from `first` to `last`. @param writings  so many of them are writings: it ends with the last one.
+  [[nodiscard]] std::vector<LoggedEntry> entries_of(std::optional<char32_t> character, Day first = kFirstDay,
                                                     Day last = kLastDay,
                                                     std::optional<std::int64_t> writings = std::nullopt);
   /// Computes the history of one character from its entries that were not undone.

@@ -12,13 +12,12 @@
 namespace nazori::study {
 
 std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(
-    char32_t character, Day first, Day last, std::optional<std::int64_t> writings) {
-  SQLite::Statement rows(
-      db, fmt::format("SELECT {} FROM log WHERE character = ? AND day BETWEEN ? AND ? ORDER BY id DESC",
-                      log_columns));
-  rows.bind(1, static_cast<std::int64_t>(character));
-  rows.bind(2, number_of(first));
-  rows.bind(3, number_of(last));
+    std::optional<char32_t> character, Day first, Day last, std::optional<std::int64_t> writings) {
+  SQLite::Statement rows(db, fmt::format("SELECT {} FROM log WHERE day BETWEEN ? AND ? {} ORDER BY id DESC",
+                                         log_columns, character ? "AND character = ?" : ""));
+  rows.bind(1, number_of(first));
+  rows.bind(2, number_of(last));
+  if (character) rows.bind(3, static_cast<std::int64_t>(*character));
   std::vector<LoggedEntry> entries;
   while (writings != 0 && rows.executeStep()) {
     auto entry = read_entry(rows);

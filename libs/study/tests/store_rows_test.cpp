@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -13,6 +14,7 @@
 namespace nazori::study {
 namespace {
 
+using std::chrono::days;
 using std::chrono::hours;
 using std::chrono::milliseconds;
 using test::MovedClock;
@@ -21,6 +23,7 @@ using test::review;
 using test::some_ink;
 using test::TemporaryFolder;
 using testing::ElementsAre;
+using testing::IsEmpty;
 
 constexpr char32_t kRest = U'休';
 
@@ -348,6 +351,32 @@ TEST(StoreRows, EveryMemberOfAWritingIsKept) {
   ASSERT_EQ(second.size(), 1U);
   EXPECT_EQ(second[0].entry.writing, Writing()) << "nothing is left over from the one before";
   EXPECT_EQ(second[0].entry.strokes, 1);
+}
+
+TEST(WritingsOn, AreThoseOfEveryCharacterOfTheDaysThatWereNotUndoneOldestFirst) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  const Day first = store.today();
+  (void)must(store.add_writing(kRest, 6, review(Rating::good)));  // 1
+  clock.advance(days(1));
+  (void)must(store.add_writing(U'一', 1, review(Rating::good)));  // 2
+  ASSERT_TRUE(store.pause(std::array{kRest}));                    // 3
+  (void)must(store.add_writing(kRest, 6, review(Rating::good)));  // 4
+  ASSERT_TRUE(must(store.undo()));                                // 5
+  (void)must(store.add_writing(kRest, 6, review(Rating::hard)));  // 6
+  clock.advance(days(2));
+  (void)must(store.add_writing(U'一', 1, review(Rating::good)));  // 7
+  const auto on = [&store, first](int from, int to) {
+    std::vector<std::int64_t> ids;
+    for (const auto& one : must(store.writings_on(first + days(from), first + days(to))))
+      ids.push_back(one.entry.id);
+    return ids;
+  };
+  EXPECT_THAT(on(0, 0), ElementsAre(1));
+  EXPECT_THAT(on(1, 1), ElementsAre(2, 6));
+  EXPECT_THAT(on(2, 2), IsEmpty());
+  EXPECT_THAT(on(1, 9), ElementsAre(2, 6, 7));
+  EXPECT_THAT(on(-9, 9), ElementsAre(1, 2, 6, 7));
 }
 
 TEST(StoreRows, WhatAnActionIsAboutStandsInItsEntries) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "nazori/geometry/polyline.h"
+#include "nazori/surface/ball_surface.h"
 
 namespace nazori::tablet {
 namespace {
@@ -154,11 +155,26 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_height_map(
   return tablet;
 }
 
+base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::with_tip(double radius_m) const {
+  if (!(radius_m >= 0 && radius_m <= surface::kLargestBall_m))
+    return base::fail(base::Errc::bad_argument, "no tip has this radius", "radius", "give 0 to 3 mm");
+  std::shared_ptr<CarvedTablet> tablet(new CarvedTablet(*this));
+  tablet->felt_ = nullptr;
+  tablet->tip_radius_m_ = radius_m;
+  if (radius_m > 0) {
+    auto felt = surface::surface_for_ball(map_, shape_, radius_m);
+    if (!felt) return tl::unexpected(std::move(felt.error()));
+    tablet->felt_ = std::move(*felt);
+  }
+  return tablet;
+}
+
 std::shared_ptr<const haptics::HapticScene> CarvedTablet::scene(const haptics::Material& material,
                                                                 const haptics::Snapping& snapping,
                                                                 const haptics::Guiding& guiding) const {
   auto scene = std::make_shared<haptics::HapticScene>();
-  scene->surface = surface_;
+  scene->surface = felt_ ? felt_ : surface_;
+  scene->tip_radius_m = tip_radius_m_;
   scene->shape = shape_;
   scene->material = material;
   scene->friction_zones = friction_;

@@ -291,5 +291,34 @@ TEST(CarvedTablet, TheSceneHasTheShapeOfTheTablet) {
   EXPECT_EQ(scene->shape.depth_m, 0.015);
 }
 
+TEST(CarvedTablet, WithABallAtTheTipOnlyWhatIsFeltChanges) {
+  auto map = surface::HeightMap::create(64);
+  ASSERT_TRUE(map);
+  for (int row = 0; row < 64; ++row) map->set(30, row, 0.2F);
+  const auto tablet = *CarvedTablet::from_height_map(*map, {});
+  EXPECT_EQ(tablet->tip_radius_m(), 0);
+  EXPECT_EQ(tablet->scene({}, {})->tip_radius_m, 0);
+  const auto ball = tablet->with_tip(0.002);
+  ASSERT_TRUE(ball);
+  EXPECT_EQ((*ball)->tip_radius_m(), 0.002);
+  EXPECT_EQ((*ball)->surface(), tablet->surface());
+  EXPECT_EQ((*ball)->height_map(), *map);
+  const auto scene = (*ball)->scene({}, {});
+  EXPECT_EQ(scene->tip_radius_m, 0.002);
+  EXPECT_NE(scene->surface, tablet->surface());
+  // Between sharp edges two samples apart it would hang 0.8 mm deep, between rounded ones a little deeper.
+  EXPECT_GT(scene->surface->at(30, 30).height, 0.8) << "the ball does not fall into the groove";
+  EXPECT_LT(tablet->surface()->at(30, 30).height, 0.7);
+  const auto again = (*ball)->with_tip(0);
+  ASSERT_TRUE(again);
+  EXPECT_EQ((*again)->scene({}, {})->surface, tablet->surface());
+  EXPECT_EQ((*again)->tip_radius_m(), 0);
+  for (const double radius : {-0.001, 0.0031, std::nan("")}) {
+    const auto refused = tablet->with_tip(radius);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, base::Errc::bad_argument);
+  }
+}
+
 }  // namespace
 }  // namespace nazori::tablet

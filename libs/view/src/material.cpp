@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "noise.h"
 #include "palette.h"
 
 namespace nazori::view {
@@ -69,11 +68,11 @@ glm::vec3 Material::reflectance(const Grain& grain, glm::vec3 point_m, float car
 /// A board sawn beside the pith: its rings are circles about an axis below the board that runs along y.
 glm::vec3 Material::wood(const Grain& grain, glm::vec3 p) const {
   constexpr float kRing = 0.00215F;
-  const float below = p.z + 0.030F + 0.085F * p.y + (value_noise(p.y * 11, 0.5F, 3) - 0.5F) * 0.006F;
+  const float below = p.z + 0.030F + 0.085F * p.y + (tilt_.at(p.y * 11) - 0.5F) * 0.006F;
   const float radius = std::sqrt(grain.across_m * grain.across_m + below * below) / kRing;
-  const float pace = radius + (value_noise(radius * 0.37F, 7.5F, 4) - 0.5F) * 1.3F;
+  const float pace = radius + (pace_.at(radius * 0.37F) - 0.5F) * 1.3F;
   const float ring = pace - std::floor(pace);
-  const float strength = 0.40F + 0.60F * value_noise(std::floor(pace) * 0.71F, 3.5F, 5);
+  const float strength = 0.40F + 0.60F * strength_.at(std::floor(pace) * 0.71F);
   // Early wood darkens slowly, late wood is a thin line that ends at once.
   const float rising = ring * ring * (0.30F + 0.70F * ring * ring * ring);
   const float late = rising * (1 - smooth_step(0.93F, 1.0F, ring)) * strength;

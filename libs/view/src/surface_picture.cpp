@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <mutex>
 #include <numbers>
-#include <thread>
 
 #include "material.h"
+#include "nazori/base/bands.h"
 #include "projection.h"
 #include "relief.h"
 
@@ -47,19 +47,62 @@ struct Exposure {
 /// Runs `work(first, last)` over the rows of a picture on a few threads.
 template <class Work>
 void in_bands(int rows, const Work& work) {
-  const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
-  std::vector<std::thread> others;
-  for (int k = 1; k < threads; ++k)
-    others.emplace_back([&work, rows, threads, k] { work(rows * k / threads, rows * (k + 1) / threads); });
-  work(0, rows / threads);
-  for (std::thread& thread : others) thread.join();
+  const base::Bands bands(rows, 1);
+  bands.run([&](int band) { work(bands.first(band), bands.last(band)); });
 }
 
-/// The sample whose cell holds a place; cells are 1 wide and begin at 0.
-float sample_clamped(const Relief& relief, float column, float row) {
-  const int last = relief.size - 1;
-  return relief.at(std::clamp(static_cast<int>(column), 0, last), std::clamp(static_cast<int>(row), 0, last));
-}
+/// Steps from a sample outwards, and how much higher the samples there stand, by their distance.
+class Ray {
+ public:
+  /// @param way  unit length, in samples.  @param distances  in samples, ascending.
+  Ray(glm::vec2 way, const std::vector<float>& distances) {
+    for (const float t : distances) {
+      const glm::vec2 there = glm::vec2(0.5F) + way * t;
+      steps_.push_back({static_cast<int>(std::floor(there.x)), static_cast<int>(std::floor(there.y)), 1 / t});
+    }
+  }
+  /// Samples to either side that the first `count` steps need.
+  [[nodiscard]] int reach(std::size_t count) const {
+    int most = 0;
+    for (std::size_t k = 0; k < count; ++k)
+      most = std::max({most, std::abs(steps_[k].columns), std::abs(steps_[k].rows)});
+    return most;
+  }
+  /// The steepest rise to any of the first `count` steps, at least 0. Beyond the edge are the samples of the
+  /// edge.
+  [[nodiscard]] float rise(const Relief& relief, int column, int row, std::size_t count) const {
+    const int last = relief.size - 1;
+    const float height = relief.at(column, row);
+    float most = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Step& step = steps_[k];
+      const float there =
+          relief.at(std::clamp(column + step.columns, 0, last), std::clamp(row + step.rows, 0, last));
+      most = std::max(most, (there - height) * step.nearness);
+    }
+    return most;
+  }
+  /// The same for a sample that is at least reach(count) from every edge.
+  [[nodiscard]] float rise_inside(const Relief& relief, int column, int row, std::size_t count) const {
+    const float* here = relief.heights.data() + static_cast<std::ptrdiff_t>(row) * relief.size + column;
+    float most = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Step& step = steps_[k];
+      const float there = here[static_cast<std::ptrdiff_t>(step.rows) * relief.size + step.columns];
+      most = std::max(most, (there - *here) * step.nearness);
+    }
+    return most;
+  }
+  [[nodiscard]] std::size_t count() const { return steps_.size(); }
+
+ private:
+  struct Step {
+    int columns;
+    int rows;
+    float nearness;  ///< 1 / distance
+  };
+  std::vector<Step> steps_;
+};
 
 /// Marches to the horizon: once towards the light, and in eight directions for the sky.
 Exposure make_exposure(const Relief& relief, const geometry::TabletShape& shape, Hand hand) {
@@ -73,10 +116,23 @@ Exposure make_exposure(const Relief& relief, const geometry::TabletShape& shape,
   const glm::vec3 light = light_direction(hand);
   const glm::vec2 towards = glm::normalize(glm::vec2(light.x, -light.y));
   const float light_slope = light.z / glm::length(glm::vec2(light.x, light.y));
-  std::array<glm::vec2, 8> ways{};
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 4;
-    ways[i] = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+  const float reach =
+      slope_per_step / (light_slope - kShadowSoftness * 0.9F);  // of a shadow as deep as a groove
+  const auto steps_within = [stride](float farthest) {
+    return static_cast<std::size_t>(std::max(0, static_cast<int>((farthest - stride) / (stride * 1.5F)) + 1));
+  };
+  std::vector<float> light_steps;
+  for (std::size_t step = 0; step < steps_within(reach); ++step)
+    light_steps.push_back(stride * (1 + 1.5F * static_cast<float>(step)));
+  const Ray to_light(towards, light_steps);
+  std::vector<float> sky_steps;
+  for (const float step : kReachSteps) sky_steps.push_back(step * stride);
+  std::vector<Ray> to_sky;
+  int margin = to_light.reach(to_light.count());
+  for (int i = 0; i < 8; ++i) {
+    const double angle = (i + 0.5) * std::numbers::pi / 4;
+    to_sky.emplace_back(glm::vec2(std::cos(angle), std::sin(angle)), sky_steps);
+    margin = std::max(margin, to_sky.back().reach(sky_steps.size()));
   }
   in_bands(relief.size, [&](int first, int last) {
     for (int row = first; row < last; ++row) {
@@ -85,30 +141,21 @@ Exposure make_exposure(const Relief& relief, const geometry::TabletShape& shape,
         if (height >= kOpenHeight) continue;
         const std::size_t place = static_cast<std::size_t>(row) * static_cast<std::size_t>(relief.size) +
                                   static_cast<std::size_t>(column);
-        const glm::vec2 here(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
-        float blocked = 0;
-        const float farthest = (1 - height) * slope_per_step / (light_slope - kShadowSoftness * 0.9F);
-        const int steps = std::max(0, static_cast<int>((farthest - stride) / (stride * 1.5F)) + 1);
-        for (int step = 0; step < steps; ++step) {
-          const float t = stride * (1 + 1.5F * static_cast<float>(step));
-          const glm::vec2 there = here + towards * t;
-          blocked = std::max(blocked, (sample_clamped(relief, there.x, there.y) - height) / t);
-        }
+        const int edge_distance = std::min(std::min(column, row), relief.size - 1 - std::max(column, row));
+        const bool inside = edge_distance >= margin;
+        const auto rise = [&](const Ray& ray, std::size_t count) {
+          return inside ? ray.rise_inside(relief, column, row, count) : ray.rise(relief, column, row, count);
+        };
+        const float blocked = rise(to_light, std::min(steps_within((1 - height) * reach), to_light.count()));
         const float edge = (blocked * slope_per_step - light_slope) / (2 * kShadowSoftness) + 0.5F;
         const float dark = std::clamp(edge, 0.0F, 1.0F);
         exposure.key[place] = 1 - dark * dark * (3 - 2 * dark);
         float open = 0;
-        for (const glm::vec2 way : ways) {
-          float horizon = 0;
-          for (const float step : kReachSteps) {
-            const float t = step * stride;
-            const glm::vec2 there = here + way * t;
-            horizon = std::max(horizon, (sample_clamped(relief, there.x, there.y) - height) / t);
-          }
-          const float slope = horizon * slope_per_step;
+        for (const Ray& ray : to_sky) {
+          const float slope = rise(ray, ray.count()) * slope_per_step;
           open += 1 / (1 + slope * slope);
         }
-        exposure.sky[place] = open / static_cast<float>(ways.size());
+        exposure.sky[place] = open / static_cast<float>(to_sky.size());
       }
     }
   });

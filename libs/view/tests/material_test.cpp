@@ -94,6 +94,14 @@ TEST(Noise, RunsLevelThroughTheLatticeAndMeetsTheMeanHalfway) {
   }
 }
 
+TEST(Noise, AlongALineIsTheNoiseOfThePlane) {
+  for (const float y : {0.5F, 3.25F, 7.5F}) {
+    const NoiseLine line(y, 5);
+    // -8 and 55 are the first and the last of the values that are drawn beforehand.
+    for (float x = -12; x < 60; x += 0.125F) EXPECT_NEAR(line.at(x), value_noise(x, y, 5), 1e-6) << x;
+  }
+}
+
 struct Substance {
   Style style;
   Theme theme;

@@ -23,6 +23,12 @@ class Watchdog {
   [[nodiscard]] static double longest_ms();
   /// Which event it was.
   [[nodiscard]] static QString longest();
+  /// What all threads of the process worked since this object was made [ms of processor time]; what a
+  /// sanitizer adds is taken off.
+  [[nodiscard]] double all_threads_ms() const;
+
+ private:
+  double begin_ms_;
 };
 
 }  // namespace nazori::ui::test

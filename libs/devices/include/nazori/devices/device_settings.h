@@ -36,15 +36,18 @@ using RememberedDevices = std::map<std::string, DeviceSettings, std::less<>>;
 /// The settings of a device; where none are saved, the defaults for a new device.
 [[nodiscard]] DeviceSettings settings_of(const RememberedDevices& devices, std::string_view id);
 
-/// The chosen device, the saved settings of each device, and the material of the tablet.
+/// The chosen device, the saved settings of each device, the material of the tablet, and the tip it is felt
+/// with.
 struct DeviceMemory {
   std::string chosen;  ///< id; empty: the best one available; "pointer": mouse, pen or finger
   RememberedDevices devices;
   haptics::Material material;
+  double tip_radius_m = 0;  ///< of the ball at the tip, 0..surface::kLargestBall_m; 0: a point
 
-  /// Reads stored settings; invalid values keep their defaults. Keys: "chosen", "material_stiffness" (and the
-  /// other numbers of haptics::Material, and "material_texture"), "known/ID/KEY" with ID as the hexadecimal
-  /// digits of a device's id, because ids contain characters that a key may not contain.
+  /// Reads stored settings; invalid values keep their defaults. Keys: "chosen", "tip_radius_mm",
+  /// "material_stiffness" (and the other numbers of haptics::Material, and "material_texture"),
+  /// "known/ID/KEY" with ID as the hexadecimal digits of a device's id, because ids contain characters that a
+  /// key may not contain.
   void load(const base::Settings& settings);
   /// Stores all that load() reads; other keys are unchanged.
   void save(base::Settings& settings) const;

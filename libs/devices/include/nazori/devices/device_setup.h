@@ -91,6 +91,8 @@ class DeviceSetup {
   [[nodiscard]] const DeviceMemory& memory() const { return *memory_; }
   void load(const base::Settings& settings) { memory_->load(settings); }
   void set_material(const haptics::Material& material) { memory_->material = material; }
+  /// @param radius_m  of the ball at the tip, 0..surface::kLargestBall_m.
+  void set_tip(double radius_m) { memory_->tip_radius_m = radius_m; }
 
   /// Opens the chosen device.
   void open_chosen() { device_.choose(memory_->chosen); }

@@ -78,7 +78,8 @@ struct Guiding {
 
 /// Everything that the servo computes forces from; immutable once it is passed to the servo.
 struct HapticScene {
-  std::shared_ptr<const surface::SmoothSurface> surface;  ///< may be null: nothing to touch
+  /// May be null: nothing to touch. For a ball: surface::surface_for_ball of the tablet's map.
+  std::shared_ptr<const surface::SmoothSurface> surface;
   geometry::TabletShape shape;
   Material material;
   /// May be null: the material's friction everywhere. Zones of another size than the surface have no effect.
@@ -89,6 +90,10 @@ struct HapticScene {
   /// Not null: the tip bends on a flat sheet at z = 0, and there is no surface; of the material only texture
   /// and roughness have an effect.
   std::shared_ptr<const SoftTip> soft_tip;
+  /// Radius of the ball that `surface` is made for, 0..surface::kLargestBall_m [m]; 0: the tip is a point.
+  /// Positions of the device and of the proxy are those of the ball's lowest point. Friction zones and
+  /// texture are felt where the ball touches, and strokes lie no deeper than its lowest point comes.
+  double tip_radius_m = 0;
 };
 
 }  // namespace nazori::haptics

@@ -48,6 +48,14 @@ class SurfaceContact {
   [[nodiscard]] bool touching() const noexcept { return touching_; }
   /// Unit vector out of the material at the proxy; meaningful while touching.
   [[nodiscard]] const Vec3& normal() const noexcept { return normal_; }
+  /// Where a ball touches the material whose lowest point is the proxy, on a surface that is made for the
+  /// ball. In a groove that holds it by both walls: between the two contacts. Without contact, or with radius
+  /// 0: the proxy.
+  [[nodiscard]] Vec3 touched_m(double radius_m) const noexcept {
+    if (!touching_ || !(radius_m > 0)) return proxy_;
+    return {proxy_.x - radius_m * normal_.x, proxy_.y - radius_m * normal_.y,
+            proxy_.z + radius_m * (1 - normal_.z)};
+  }
   /// Whether friction keeps the proxy in place.
   [[nodiscard]] bool held() const noexcept { return touching_ && !sliding_; }
 

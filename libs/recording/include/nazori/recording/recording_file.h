@@ -27,6 +27,7 @@ inline constexpr std::size_t kRecordBytes = 152;
 struct Session {
   haptics::DeviceDescription device;
   geometry::TabletShape shape;
+  double tip_radius_m = 0;    ///< of the ball at the tip of the stylus; 0: a point
   std::string character;      ///< the character or file on the tablet: "休", or a file's name
   std::int64_t start_ns = 0;  ///< since 1970-01-01 00:00 UTC
   /// Random id; also names the ring with the samples that are not in the file yet.

@@ -190,6 +190,9 @@ class LearnerStore {
   /// Those of the days from `first` to `last`.
   [[nodiscard]] base::Result<std::vector<LoggedEntry>> writings_of(char32_t character, Day first,
                                                                    Day last) const;
+  /// The writings of every character on the days from `first` to `last` that were not undone, oldest first.
+  /// The cost grows with the entries since `first`, not with the history before it.
+  [[nodiscard]] base::Result<std::vector<LoggedEntry>> writings_on(Day first, Day last) const;
   /// The ink of an entry; empty where none was saved.
   [[nodiscard]] base::Result<Handwriting> ink_of(std::int64_t entry) const;
   /// Duration of the last ten accepted writings from memory.

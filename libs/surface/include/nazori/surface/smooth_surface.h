@@ -41,7 +41,7 @@ struct CurvedPoint {
 /// @source C. de Boor, A Practical Guide to Splines, 1978: quadratic B-splines on integer knots.
 class SmoothSurface {
  public:
-  /// Copies the samples, with a border of one that repeats the edge.
+  /// Copies the samples, with a border of one that repeats the edge. Uses up to four threads for large maps.
   /// @return Errc::bad_argument for an empty map.
   [[nodiscard]] static base::Result<std::shared_ptr<const SmoothSurface>> create(const HeightMap& map);
 

@@ -49,7 +49,13 @@ class CarvedTablet {
   /// Null: the material's friction everywhere.
   [[nodiscard]] const std::shared_ptr<const haptics::FrictionZones>& friction() const { return friction_; }
 
-  /// The servo's scene with this tablet.
+  /// This tablet as it feels to a stylus whose tip is a ball; 0: a point. Takes as long as
+  /// surface::surface_for_ball: for a worker thread where the map is large.
+  /// @param radius_m  0..surface::kLargestBall_m, else Errc::bad_argument.
+  [[nodiscard]] base::Result<std::shared_ptr<const CarvedTablet>> with_tip(double radius_m) const;
+  [[nodiscard]] double tip_radius_m() const { return tip_radius_m_; }
+
+  /// The servo's scene with this tablet and its tip.
   [[nodiscard]] std::shared_ptr<const haptics::HapticScene> scene(const haptics::Material& material,
                                                                   const haptics::Snapping& snapping,
                                                                   const haptics::Guiding& guiding = {}) const;
@@ -60,6 +66,8 @@ class CarvedTablet {
   std::vector<TabletLine> lines_;
   geometry::TabletShape shape_;
   std::shared_ptr<const surface::SmoothSurface> surface_;
+  std::shared_ptr<const surface::SmoothSurface> felt_;  ///< null: surface_
+  double tip_radius_m_ = 0;
   std::vector<haptics::StrokePath> paths_;
   std::shared_ptr<const haptics::FrictionZones> friction_;
   std::vector<geometry::Label> labels_;
