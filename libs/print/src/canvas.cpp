@@ -90,6 +90,33 @@ void Canvas::triangle(double x0, double y0, double x1, double y1, double x2, dou
                           number((height_mm_ - y2) * kPoints));
 }
 
+void Canvas::disc(double x, double y, double radius) {
+  constexpr double kBend = 0.5523;  // of the curves that are closest to a quarter of a circle
+  const auto point = [&](double dx, double dy) {
+    return number((x + dx * radius) * kPoints) + ' ' + number((height_mm_ - y - dy * radius) * kPoints) + ' ';
+  };
+  content_ += "0 g " + point(1, 0) + "m ";
+  double cosine = 1;
+  double sine = 0;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    content_ += point(cosine - kBend * sine, sine + kBend * cosine);
+    content_ += point(-sine + kBend * cosine, cosine + kBend * sine) + point(-sine, cosine) + "c ";
+    const double turned = -sine;
+    sine = cosine;
+    cosine = turned;
+  }
+  content_ += "f\n";
+}
+
+void Canvas::fill(std::span<const Rect> rects) {
+  content_ += "0 g";
+  for (const Rect& r : rects)
+    content_ +=
+        fmt::format(" {} {} {} {} re", number(r.x * kPoints), number((height_mm_ - r.y - r.height) * kPoints),
+                    number(r.width * kPoints), number(r.height * kPoints));
+  content_ += " f\n";
+}
+
 void Canvas::show(std::u32string_view text, double size_mm, bool vertical) {
   std::size_t current = fonts_->count();
   std::string glyphs;

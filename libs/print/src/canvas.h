@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,9 @@ class Canvas {
   void rectangle(const Rect& rect, const Pen& pen);
   /// A filled triangle.
   void triangle(double x0, double y0, double x1, double y1, double x2, double y2, double grey);
+  void disc(double x, double y, double radius);
+  /// Filled rectangles, black.
+  void fill(std::span<const Rect> rects);
   /// Text from left to right. @param x,y  left end of the baseline. @param size_mm  of the em.
   void text(double x, double y, std::u32string_view text, double size_mm, double grey = 0,
             bool invisible = false);

@@ -12,8 +12,7 @@ constexpr int kManuscriptCells = 20;
 }  // namespace
 
 void Sheets::manuscript() {
-  const Rect all{kMargin_mm, kMargin_mm, size_.width - 2 * kMargin_mm,
-                 size_.height - 2 * kMargin_mm - kFooter_mm};
+  const Rect all = inside_margins();
   constexpr double kColumnInCells = 1.4;  // with the gap for readings to its right
   const double columns_wide = (kManuscriptCells + 1) * kColumnInCells;
   const double cell = std::min(all.width / columns_wide, all.height / kManuscriptCells);

@@ -56,15 +56,19 @@ void Sheets::draw_facts(const SheetCharacter& one, const Flow& flow, double alon
   }
 }
 
+void Sheets::annotate(Canvas& canvas, const kanji::Character& character, const Rect& box) {
+  if (s_.arrows) draw_arrows(canvas, character, box);
+  if (s_.numbers) draw_numbers(canvas, character, box);
+  const char32_t text[] = {character.code_point};
+  canvas.text(box.x, box.y + box.height * 0.88, {text, 1}, box.width, 0, true);
+}
+
 void Sheets::draw_model(const SheetCharacter& one, std::size_t i, const Rect& box) {
   Canvas& canvas = *pages_.back();
   place_cell(canvas, box, s_.guide);
   used_.insert(i);
   canvas.character(static_cast<int>(i), box, 0);
-  if (s_.arrows) draw_arrows(canvas, one.character, box);
-  if (s_.numbers) draw_numbers(canvas, one.character, box);
-  const char32_t text[] = {one.character.code_point};
-  canvas.text(box.x, box.y + box.height * 0.88, {text, 1}, box.width, 0, true);
+  annotate(canvas, one.character, box);
 }
 
 void Sheets::practice(std::size_t i) {
@@ -101,15 +105,17 @@ void Sheets::practice(std::size_t i) {
     const int step_rows = (strokes + in_row - 1) / in_row;
     at += step_rows * step;
   }
-  if (rows > 0) at += kGap_mm / 2;
+  if (rows > 0) {
+    at += kGap_mm / 2;
+    mark_->runs.push_back({at, rows, {one.character.code_point}});
+  }
   const int in_row = cells_in_row();
   for (int cell = 0; cell < rows * in_row; ++cell) {
     const int row = cell / in_row;
     const Rect box = flow.rect(cell % in_row * s_.cell_mm, at + row * s_.cell_mm, s_.cell_mm, s_.cell_mm);
     place_cell(canvas, box, s_.guide);
     if (cell < s_.copies) {
-      const double share = s_.copies > 1 ? static_cast<double>(cell) / (s_.copies - 1) : 0;
-      canvas.character(static_cast<int>(i), box, 0.5 + 0.38 * share);
+      canvas.character(static_cast<int>(i), box, 0.5 + 0.38 * faded(cell));
     }
   }
   used_depth_ += depth + kGap_mm;

@@ -39,6 +39,16 @@ void Sheets::quiz_line(const kanji::Word& word, const Flow& flow, double across,
   }
 }
 
+bool Sheets::add_to_mark(const kanji::Word& word) {
+  MarkedRun run{used_depth_, 1, {}};
+  for (const char32_t letter : wide(word.text))
+    run.characters.push_back(index_.contains(base::encode_utf8(letter)) ? letter : 0);
+  mark_->runs.push_back(std::move(run));
+  if (mark_bytes(*mark_, mark_room(size_.width))) return true;
+  mark_->runs.pop_back();
+  return false;
+}
+
 void Sheets::quiz() {
   struct Line {
     const kanji::Word* word;
@@ -58,10 +68,12 @@ void Sheets::quiz() {
     for (const kanji::Word& word : one.words) {
       const double cells = static_cast<double>(wide(word.text).size()) * s_.cell_mm;
       if (cells > flow.length() * 0.6 || !asked.insert(word.text).second) continue;
-      if (lines.empty() || used_depth_ + s_.cell_mm > flow.depth() + 1e-6) {
+      const bool is_full = lines.empty() || used_depth_ + s_.cell_mm > flow.depth() + 1e-6;
+      if (is_full || !add_to_mark(word)) {
         close();
         lines.clear();
         new_page(true);
+        add_to_mark(word);
       }
       quiz_line(word, flow, used_depth_, *pages_.back(), false);
       lines.push_back({&word, used_depth_});

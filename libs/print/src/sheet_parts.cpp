@@ -14,6 +14,9 @@ namespace nazori::print {
 namespace {
 
 constexpr double kStrokeWidth = 3.6;  // glyph units
+constexpr double kBrushWidth = 8;     // glyph units
+constexpr double kBrushStep = 1.5;    // glyph units
+constexpr double kThinnest = 0.12;    // of that, where a sweep ends
 constexpr double kArrow = 7;          // glyph units
 constexpr double kNumberGrey = 0.35;
 
@@ -74,6 +77,28 @@ std::string strokes_content(const kanji::Character& character, std::size_t first
       }
     }
     content += " S\n";
+  }
+  return content;
+}
+
+std::string brush_content(const kanji::Character& character) {
+  std::string content = "1 J 1 j\n";
+  for (const kanji::Stroke& stroke : character.strokes) {
+    const double length = geometry::arc_length<geometry::GlyphFrame>(stroke.line.points);
+    const auto count = static_cast<std::size_t>(length / kBrushStep) + 2;
+    const auto points = geometry::resample<geometry::GlyphFrame>(stroke.line.points, count);
+    // What thins out, as a share of the stroke but not of a long one.
+    const double thinning = stroke.line.ending == kanji::StrokeEnding::taper  ? std::min(0.6 * length, 30.0)
+                            : stroke.line.ending == kanji::StrokeEnding::hook ? std::min(0.3 * length, 9.0)
+                                                                              : 0.0;
+    double at = 0;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      at += std::hypot(points[k].x - points[k - 1].x, points[k].y - points[k - 1].y);
+      const double share = thinning > 0 ? std::min(1.0, (length - at) / thinning) : 1.0;
+      content += fmt::format(
+          "{} w {} {} m {} {} l S\n", number(kBrushWidth * (kThinnest + (1 - kThinnest) * std::sqrt(share))),
+          number(points[k - 1].x), number(points[k - 1].y), number(points[k].x), number(points[k].y));
+    }
   }
   return content;
 }

@@ -41,6 +41,9 @@ void draw_cell(Canvas& canvas, const Rect& cell, Guide guide);
 [[nodiscard]] std::string strokes_content(const kanji::Character& character, std::size_t first,
                                           std::size_t last);
 
+/// The same strokes as a brush draws them: broad, and thinning out where they sweep or flick.
+[[nodiscard]] std::string brush_content(const kanji::Character& character);
+
 /// Numbers and arrows of the strokes of a model.
 void draw_numbers(Canvas& canvas, const kanji::Character& character, const Rect& square);
 void draw_arrows(Canvas& canvas, const kanji::Character& character, const Rect& square);

@@ -9,19 +9,21 @@
 namespace nazori::print {
 
 Size size_of(const SheetSettings& s) {
-  const Size paper = s.paper == Paper::a4   ? Size{210, 297}
-                     : s.paper == Paper::b5 ? Size{182, 257}
-                                            : Size{215.9, 279.4};
+  const PaperSize paper = paper_size(s.paper);
   if (s.booklet) return {paper.height / 2, paper.width};
   if (s.layout == Layout::manuscript) return {paper.height, paper.width};
-  return paper;
+  return {paper.width, paper.height};
 }
 
 Canvas& Sheets::new_page(bool with_header) {
+  draw_mark();
   pages_.push_back(std::make_unique<Canvas>(fonts_, size_.height));
   used_depth_ = 0;
   Canvas& canvas = *pages_.back();
-  if (with_header) draw_header(canvas);
+  if (with_header) {
+    draw_header(canvas);
+    begin_mark();
+  }
   // The licence of the strokes asks to name their source.
   canvas.text(kMargin_mm, size_.height - kMargin_mm - 0.6,
               U"Strokes: KanjiVG, CC BY-SA 3.0. Made with Nazori.", 1.9, 0.5);
@@ -31,9 +33,50 @@ Canvas& Sheets::new_page(bool with_header) {
   return canvas;
 }
 
+void Sheets::begin_mark() {
+  mark_.emplace();
+  mark_->layout = s_.layout;
+  mark_->vertical = s_.vertical;
+  mark_->guide = s_.guide;
+  mark_->width_mm = size_.width;
+  mark_->height_mm = size_.height;
+  mark_->cell_mm = s_.cell_mm;
+  mark_->copies = s_.copies;
+  mark_->page = static_cast<int>((pages_.size() - 1) % 1023) + 1;
+}
+
+void Sheets::draw_mark() {
+  if (!mark_) return;
+  const auto bytes = mark_bytes(*mark_, mark_room(size_.width));
+  mark_.reset();
+  if (!bytes) return;
+  Canvas& canvas = *pages_.back();
+  for (const PaperPoint centre : disc_centres(size_.width, size_.height))
+    canvas.disc(centre.x, centre.y, kDisc_mm / 2);
+  const auto is_dark = [&](int column, int row) {
+    if (row == 0) return column % 2 == 0;
+    const auto bit = static_cast<std::size_t>(column * kMarkRows + row - 1);
+    return bit / 8 < bytes->size() && ((*bytes)[bit / 8] & 0x80U >> bit % 8) != 0;
+  };
+  std::vector<Rect> dark;
+  for (int column = 0; column < mark_columns(bytes->size()); ++column) {
+    for (int row = 0; row <= kMarkRows; ++row) {
+      if (!is_dark(column, row)) continue;
+      const int first = row;
+      while (row < kMarkRows && is_dark(column, row + 1)) ++row;
+      const PaperPoint at = module_centre(size_.height, column, first);
+      dark.push_back(
+          {at.x - kModule_mm / 2, at.y - kModule_mm / 2, kModule_mm, (row - first + 1) * kModule_mm});
+    }
+  }
+  canvas.fill(dark);
+}
+
 void Sheets::draw_header(Canvas& canvas) {
+  constexpr double kBesideDisc_mm = kDisc_mm + 2;
   const double y = kMargin_mm + 4.5;
-  const double right = size_.width - kMargin_mm;
+  const double left = kMargin_mm + kBesideDisc_mm;
+  const double right = size_.width - kMargin_mm - kBesideDisc_mm;
   double x = right;
   const auto field = [&](const std::u32string& name, double line_mm) {
     x -= line_mm;
@@ -47,8 +90,8 @@ void Sheets::draw_header(Canvas& canvas) {
     field(label("Class", "組"), 20 * scale);
     field(label("Name", "名前"), 46 * scale);
   }
-  const std::u32string title = cut(fonts_, wide(s_.title), (x - kMargin_mm - 3) / 4);
-  canvas.text(kMargin_mm, y, title, 4);
+  const std::u32string title = cut(fonts_, wide(s_.title), (x - left - 3) / 4);
+  canvas.text(left, y, title, 4);
 }
 
 void Sheets::place_cell(Canvas& canvas, const Rect& rect, std::optional<Guide> guide) {
@@ -62,6 +105,8 @@ base::Result<void> Sheets::draw(const base::Progress& progress) {
     manuscript();
   } else if (s_.layout == Layout::cards) {
     cards();
+  } else if (s_.layout == Layout::brush) {
+    return brush(progress);
   } else if (s_.layout == Layout::quiz) {
     quiz();
     if (pages_.empty())
@@ -75,6 +120,7 @@ base::Result<void> Sheets::draw(const base::Progress& progress) {
       practice(i);
     }
   }
+  draw_mark();
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include "nazori/base/progress.h"
 #include "nazori/base/result.h"
 #include "nazori/base/utf8.h"
+#include "nazori/print/sheet_mark.h"
 #include "nazori/print/worksheet.h"
 #include "sheet_parts.h"
 
@@ -21,6 +22,8 @@ namespace nazori::print {
 
 constexpr double kHeader_mm = 9;
 constexpr double kFooter_mm = 4;
+constexpr double kMarkDepth_mm = 6;  // above the footer, with the gap to the cells
+constexpr double kMarkGap_mm = 1.2;
 constexpr double kGap_mm = 3;
 constexpr double kText_mm = 3.6;
 constexpr double kLargestStep_mm = 12;
@@ -35,6 +38,18 @@ struct Size {
 
 /// Of one page; of a booklet, half a sheet.
 [[nodiscard]] Size size_of(const SheetSettings& s);
+
+/// Where the cells of a page with a mark lie. The mark relies on it: another area needs another version of
+/// it.
+[[nodiscard]] constexpr Rect practice_area(Size size) {
+  return {kMargin_mm, kMargin_mm + kHeader_mm, size.width - 2 * kMargin_mm,
+          size.height - 2 * kMargin_mm - kHeader_mm - kFooter_mm - kMarkDepth_mm};
+}
+
+/// Cells in a row of this length, at least one.
+[[nodiscard]] inline int cells_in(double length, double cell_mm) {
+  return std::max(1, static_cast<int>((length + 1e-6) / cell_mm));
+}
 
 /// The pages of a document.
 class Sheets {
@@ -63,9 +78,10 @@ class Sheets {
   /// The content of a form object that pages place by its name: a cell "G0", a character "C0", half a side of
   /// a booklet "P0".
   [[nodiscard]] std::string content_of_object(std::string_view name);
-  [[nodiscard]] Rect area() const {
-    return {kMargin_mm, kMargin_mm + kHeader_mm, size_.width - 2 * kMargin_mm,
-            size_.height - 2 * kMargin_mm - kHeader_mm - kFooter_mm};
+  [[nodiscard]] Rect area() const { return practice_area(size_); }
+  /// Of a page without header and mark.
+  [[nodiscard]] Rect inside_margins() const {
+    return {kMargin_mm, kMargin_mm, size_.width - 2 * kMargin_mm, size_.height - 2 * kMargin_mm - kFooter_mm};
   }
   Canvas& new_page(bool with_header);
   void draw_header(Canvas& canvas);
@@ -75,6 +91,12 @@ class Sheets {
   double practice_depth(const kanji::Character& character, int rows) const;
   void draw_facts(const SheetCharacter& one, const Flow& flow, double along, double across, double length,
                   double depth);
+  /// What may stand over the strokes of a character: arrows and numbers; and the character as invisible text.
+  void annotate(Canvas& canvas, const kanji::Character& character, const Rect& box);
+  /// 0 for the first of the copies that fade, 1 for the last.
+  [[nodiscard]] double faded(int copy) const {
+    return s_.copies > 1 ? static_cast<double>(copy) / (s_.copies - 1) : 0;
+  }
   void draw_model(const SheetCharacter& one, std::size_t i, const Rect& box);
   void quiz();
   void quiz_line(const kanji::Word& word, const Flow& flow, double across, Canvas& canvas, bool answer);
@@ -82,6 +104,9 @@ class Sheets {
   void card_front(Canvas& canvas, std::size_t i, const Rect& card);
   void card_back(std::size_t i, const Rect& card);
   void manuscript();
+  base::Result<void> brush(const base::Progress& progress);
+  /// A sheet with the characters from `first` on. @param grey  of the models; none without a value.
+  void brush_sheet(std::size_t first, std::optional<double> grey);
   [[nodiscard]] std::u32string label(const char* english, const char* japanese) const {
     return wide(s_.language == Language::japanese ? japanese : english);
   }
@@ -91,9 +116,13 @@ class Sheets {
   [[nodiscard]] double step_mm() const { return std::min(s_.cell_mm, kLargestStep_mm); }
   [[nodiscard]] double flow_length() const { return s_.vertical ? area().height : area().width; }
   [[nodiscard]] double flow_depth() const { return s_.vertical ? area().width : area().height; }
-  [[nodiscard]] int cells_in_row() const {
-    return std::max(1, static_cast<int>((flow_length() + 1e-6) / s_.cell_mm));
-  }
+  [[nodiscard]] int cells_in_row() const { return cells_in(flow_length(), s_.cell_mm); }
+  /// Begins the mark of the last page.
+  void begin_mark();
+  /// Adds a line of a quiz. @return false where the mark has no room for it.
+  bool add_to_mark(const kanji::Word& word);
+  /// Draws the mark of the last page, if it has one.
+  void draw_mark();
 
   const std::vector<SheetCharacter>& characters_;
   const SheetSettings& s_;
@@ -105,6 +134,7 @@ class Sheets {
   std::map<std::pair<long, bool>, std::string> cells_;
   std::set<std::size_t> used_;  // characters that are drawn as an object
   double used_depth_ = 0;       // of the last page
+  std::optional<SheetMark> mark_;
 };
 
 }  // namespace nazori::print

@@ -55,7 +55,8 @@ std::string Sheets::content_of_object(std::string_view name) {
       return {};
     case 'C': {
       const kanji::Character& character = characters_[index].character;
-      return strokes_content(character, 0, character.strokes.size());
+      return s_.layout == Layout::brush ? brush_content(character)
+                                        : strokes_content(character, 0, character.strokes.size());
     }
     default:
       return pages_[index]->content();

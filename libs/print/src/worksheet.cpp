@@ -24,9 +24,12 @@ base::Result<void> check(const std::vector<SheetCharacter>& characters, const Sh
     return refuse(fmt::format("a cell cannot be {:.4g} mm", s.cell_mm), "give 8 to 60 mm");
   if (s.rows < 0 || s.rows > kMostRows || s.copies < 0 || s.copies > kMostRows)
     return refuse("the number of rows or copies is out of range", fmt::format("give 0 to {}", kMostRows));
+  if (std::find(kPerSheet.begin(), kPerSheet.end(), s.per_sheet) == kPerSheet.end())
+    return refuse(fmt::format("{} characters on a sheet are not offered", s.per_sheet), "give 1, 2, 4 or 6");
   if (s.layout == Layout::practice && !s.whole_page) {
     const Size size = size_of(s);
-    const double depth = (s.vertical ? size.width : size.height - kHeader_mm - kFooter_mm) - 2 * kMargin_mm;
+    const Rect area = practice_area(size);
+    const double depth = s.vertical ? area.width : area.height;
     const double model = std::clamp(s.cell_mm * 1.6, kSmallestModel_mm, kLargestModel_mm);
     // Thirty steps take three rows at most on any paper but the narrowest.
     if (model + kGap_mm + s.rows * s.cell_mm + (s.steps ? 4 * std::min(s.cell_mm, kLargestStep_mm) : 0) >

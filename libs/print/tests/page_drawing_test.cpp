@@ -11,6 +11,7 @@
 
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/print/worksheet.h"
+#include "page_parts.h"
 
 namespace nazori::print {
 namespace {
@@ -30,30 +31,6 @@ Worksheet sheet(std::u32string_view text, const SheetSettings& settings = {}) {
   auto made = Worksheet::lay_out(characters(text), settings);
   EXPECT_TRUE(made) << (made ? "" : base::to_line(made.error()));
   return *std::move(made);
-}
-
-/// The box of a mark [mm]: left, top, right, bottom. Control points count, so it may be too large.
-struct Box {
-  double left = 1e9;
-  double top = 1e9;
-  double right = -1e9;
-  double bottom = -1e9;
-};
-
-Box box_of(const PageMark& mark) {
-  Box box;
-  for (const PathStep& step : mark.path) {
-    const std::size_t count = step.kind == PathStep::Kind::close   ? 0
-                              : step.kind == PathStep::Kind::curve ? 3
-                                                                   : 1;
-    for (std::size_t i = 0; i < count; ++i) {
-      box.left = std::min(box.left, step.points[i].x);
-      box.right = std::max(box.right, step.points[i].x);
-      box.top = std::min(box.top, step.points[i].y);
-      box.bottom = std::max(box.bottom, step.points[i].y);
-    }
-  }
-  return box;
 }
 
 std::ptrdiff_t closed_squares(const PageDrawing& page, double side_mm) {

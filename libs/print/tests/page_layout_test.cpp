@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "nazori/print/worksheet.h"
+#include "page_parts.h"
 
 namespace nazori::print {
 namespace {
@@ -106,14 +107,6 @@ SheetCharacter with_strokes(char32_t code_point, std::size_t strokes, std::vecto
   return one;
 }
 
-kanji::Word word(std::string text, std::string reading, std::string gloss) {
-  kanji::Word made;
-  made.text = std::move(text);
-  made.reading = std::move(reading);
-  made.glosses = {std::move(gloss)};
-  return made;
-}
-
 SheetSettings bare() {
   SheetSettings settings;
   settings.facts = settings.numbers = settings.arrows = false;
@@ -126,8 +119,10 @@ void expect_at(const Page::Mark& mark, double x, double y) {
 }
 
 TEST(PageLayout, PapersHaveTheirSizes) {
-  for (const auto& [paper, width, height] :
-       {std::tuple{Paper::a4, 210.0, 297.0}, {Paper::b5, 182.0, 257.0}, {Paper::letter, 215.9, 279.4}}) {
+  for (const auto& [paper, width, height] : {std::tuple{Paper::a4, 210.0, 297.0},
+                                             {Paper::b5, 182.0, 257.0},
+                                             {Paper::letter, 215.9, 279.4},
+                                             {Paper::hanshi, 243.0, 334.0}}) {
     SheetSettings settings = bare();
     settings.paper = paper;
     Page page = pages_of(worksheet_pdf({with_strokes(U'一', 1)}, settings)).at(0);
@@ -224,7 +219,7 @@ TEST(PageLayout, AWholePageHasAllTheRowsThatFit) {
   settings.whole_page = true;
   const auto pages = pages_of(worksheet_pdf({with_strokes(U'一', 1), with_strokes(U'二', 2)}, settings));
   ASSERT_THAT(pages, SizeIs(2));
-  // 260 - 24 - 13.5 - 1.5 = 221 mm: fourteen rows.
+  // 254 - 24 - 13.5 - 1.5 = 215 mm: fourteen rows.
   EXPECT_THAT(pages[0].cells(), SizeIs(1 + 1 + 14 * 12));
   EXPECT_THAT(pages[1].cells(), SizeIs(1 + 2 + 14 * 12));
 }
@@ -234,14 +229,14 @@ TEST(PageLayout, VerticalPagesGoDownAndToTheLeft) {
   settings.vertical = true;
   const auto pages = pages_of(worksheet_pdf({with_strokes(U'一', 1), with_strokes(U'二', 1)}, settings));
   const auto cells = pages.at(0).cells();
-  // Seventeen cells in a column of 260 mm.
-  ASSERT_THAT(cells, SizeIs(2 * (2 + 34)));
+  // Sixteen cells in a column of 254 mm.
+  ASSERT_THAT(cells, SizeIs(2 * (2 + 32)));
   expect_at(cells[0], 198 - 24, 45);
   expect_at(cells[1], 198 - 25.5 - 12, 21 + 12);
   expect_at(cells[2], 198 - 39 - 15, 36);
-  expect_at(cells[18], 198 - 39 - 15, 36 + 240);
-  expect_at(cells[19], 198 - 39 - 30, 36);
-  expect_at(cells[36], 198 - 72 - 24, 45);
+  expect_at(cells[17], 198 - 39 - 15, 36 + 225);
+  expect_at(cells[18], 198 - 39 - 30, 36);
+  expect_at(cells[34], 198 - 72 - 24, 45);
 }
 
 TEST(PageLayout, MoreStepsThanReckonedWithTakeThePlaceOfRows) {
@@ -386,12 +381,13 @@ TEST(PageLayout, AHeaderHasThreeLinesToFillInAndATitle) {
   const auto lines = pages.at(0).all(R"(0\.4 G 0\.57 w \[\] 0 d (\S+) (\S+) (m) \S+ \S+ l S)");
   ASSERT_THAT(lines, SizeIs(3));
   for (const auto& line : lines) EXPECT_NEAR(line.y, 17.3, 0.01);
-  EXPECT_NEAR(lines[0].x, 198 - 24, 0.01);
+  // Both leave room for a disc of the mark.
+  EXPECT_NEAR(lines[0].x, 198 - 6 - 24, 0.01);
   EXPECT_GT(lines[0].x, lines[1].x + 20);
   EXPECT_GT(lines[1].x, lines[2].x + 46);
   const auto title = pages[0].all(R"(BT 0 g 0 Tr 1 0 0 1 (\S+) (\S+) (Tm) /F0 11\.34 Tf)");
   ASSERT_THAT(title, SizeIs(1));
-  expect_at(title[0], 12, 16.5);
+  expect_at(title[0], 12 + 6, 16.5);
 }
 
 }  // namespace

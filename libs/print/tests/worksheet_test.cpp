@@ -129,8 +129,9 @@ TEST(Worksheet, ItsFontsAreEmbeddedSubsetsWithText) {
 }
 
 TEST(Worksheet, NothingIsInTheMargins) {
-  for (const Layout layout : {Layout::practice, Layout::quiz, Layout::cards, Layout::manuscript}) {
-    for (const Paper size : {Paper::a4, Paper::b5, Paper::letter}) {
+  for (const Layout layout :
+       {Layout::practice, Layout::quiz, Layout::cards, Layout::manuscript, Layout::brush}) {
+    for (const Paper size : {Paper::a4, Paper::b5, Paper::letter, Paper::hanshi}) {
       for (const bool vertical : {false, true}) {
         SheetSettings settings;
         settings.layout = layout;

@@ -82,6 +82,13 @@ def writings_of(file):
     return [w for w in all_of_it if w.get("status", "ok") == "ok" and w.get(count, len(w["strokes"])) == len(w["strokes"])]
 
 
+def verdicts(cli, drawings):
+    """What the program says of each (character, strokes), in order."""
+    lines = "".join(json.dumps({"char": c, "strokes": s}) + "\n" for c, s in drawings)
+    answer = subprocess.run([cli, "grade"], input=lines, capture_output=True, text=True, check=True).stdout
+    return [json.loads(line) for line in answer.splitlines()]
+
+
 def graded(cli, file):
     """(log odds, is right, weight) of each drawing."""
     right = writings_of(file)
@@ -93,11 +100,9 @@ def graded(cli, file):
                 strokes = spoiled(w, right, chance, keep_place)
                 if strokes:
                     jobs.append((w["char"], strokes, False, 1 / (2 * COPIES)))
-    lines = "".join(json.dumps({"char": c, "strokes": s}) + "\n" for c, s, _, _ in jobs)
-    answer = subprocess.run([cli, "grade"], input=lines, capture_output=True, text=True, check=True).stdout
     result = []
-    for (_, _, is_right, weight), line in zip(jobs, answer.splitlines(), strict=True):
-        p = min(max(json.loads(line)["probability"], 1e-4), 1 - 1e-4)
+    for (_, _, is_right, weight), verdict in zip(jobs, verdicts(cli, [job[:2] for job in jobs]), strict=True):
+        p = min(max(verdict["probability"], 1e-4), 1 - 1e-4)
         result.append((math.log(p / (1 - p)), is_right, weight))
     return result
 

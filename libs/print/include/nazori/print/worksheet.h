@@ -22,6 +22,7 @@ enum class Layout : std::uint8_t {
   quiz,        ///< words by reading and meaning, with empty cells for their characters
   cards,       ///< flash cards: the character in front, its facts on the back; both sides with cut marks
   manuscript,  ///< genkouyoushi: 20 columns of 20 cells for a text
+  brush,       ///< sheets for the brush: a few large characters, fold lines, a column for the name
 };
 
 /// The lines inside a cell.
@@ -32,12 +33,37 @@ enum class Guide : std::uint8_t {
   diagonals,  ///< 米, dashed
 };
 
-enum class Paper : std::uint8_t { a4, b5, letter };
+enum class Paper : std::uint8_t {
+  a4,
+  b5,
+  letter,
+  hanshi,  ///< the paper of calligraphy classes; makers differ by a few millimetres
+};
 
 /// The names in settings and in commands, in the order of the enumerations.
-inline constexpr std::array<std::string_view, 4> kLayoutNames{"practice", "quiz", "cards", "manuscript"};
+inline constexpr std::array<std::string_view, 5> kLayoutNames{"practice", "quiz", "cards", "manuscript",
+                                                              "brush"};
 inline constexpr std::array<std::string_view, 4> kGuideNames{"none", "十", "田", "米"};
-inline constexpr std::array<std::string_view, 3> kPaperNames{"a4", "b5", "letter"};
+inline constexpr std::array<std::string_view, 4> kPaperNames{"a4", "b5", "letter", "hanshi"};
+
+/// Upright, [mm].
+struct PaperSize {
+  double width;
+  double height;
+};
+[[nodiscard]] constexpr PaperSize paper_size(Paper paper) {
+  switch (paper) {
+    case Paper::b5:
+      return {182, 257};  // of JIS P 0138
+    case Paper::letter:
+      return {215.9, 279.4};
+    case Paper::hanshi:
+      return {243, 334};
+    case Paper::a4:
+      break;
+  }
+  return {210, 297};
+}
 
 /// The language of what is printed around the characters: Name or 名前.
 enum class Language : std::uint8_t { english, japanese };
@@ -48,8 +74,11 @@ struct SheetSettings {
   Guide guide = Guide::cross;
   Language language = Language::english;
   double cell_mm = 15;      ///< side of a cell to write in, kSmallestCell_mm..kLargestCell_mm
-  int rows = 2;             ///< of cells for each character (practice), 0..kMostRows
-  int copies = 4;           ///< cells of them that show the character, fainter and fainter; 0..kMostRows
+  int rows = 2;             ///< of cells for each character (practice), 0..kMostRows; sheets of the same
+                            ///< characters (brush), at least one
+  int copies = 4;           ///< cells (brush: sheets) of them that show the character, fainter and fainter;
+                            ///< 0..kMostRows
+  int per_sheet = 4;        ///< brush: characters on a sheet, one of kPerSheet
   bool whole_page = false;  ///< practice: one character a page, filled with rows
   bool vertical = false;    ///< cells and text from top to bottom, from right to left
   bool steps = true;        ///< practice: a box a stroke that shows how the character grows
@@ -67,6 +96,7 @@ struct SheetSettings {
 
 /// The greatest number of rows, and of cells that show the character.
 inline constexpr int kMostRows = 40;
+inline constexpr std::array<int, 4> kPerSheet{1, 2, 4, 6};
 inline constexpr double kSmallestCell_mm = 8;
 inline constexpr double kLargestCell_mm = 60;
 /// Nothing is printed closer to an edge of the paper; of a booklet, to an edge of its page.
