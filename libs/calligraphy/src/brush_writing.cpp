@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "nazori/calligraphy/sheet_export.h"
+
 namespace nazori::calligraphy {
 namespace {
 
@@ -217,6 +219,31 @@ void BrushWriting::save_png(const std::filesystem::path& path) {
   ask([path](SheetEditor& editor) -> std::optional<Outcome> {
     Outcome outcome{.task = Task::save_png, .file = path};
     note_error(outcome, editor.save_png(path));
+    return outcome;
+  });
+}
+
+void BrushWriting::save_svg(const std::filesystem::path& path) {
+  ask([path](SheetEditor& editor) -> std::optional<Outcome> {
+    Outcome outcome{.task = Task::save_svg, .file = path};
+    note_error(outcome, calligraphy::save_svg(editor.written(), path));
+    return outcome;
+  });
+}
+
+void BrushWriting::save_pdf(const std::filesystem::path& path, const std::string& title) {
+  ask([path, title](SheetEditor& editor) -> std::optional<Outcome> {
+    Outcome outcome{.task = Task::save_pdf, .file = path};
+    note_error(outcome, calligraphy::save_pdf(editor.sheet(), title, path));
+    return outcome;
+  });
+}
+
+void BrushWriting::advise(std::vector<SheetModel> models, const AdviceOptions& options) {
+  ask([models = std::move(models), options](SheetEditor& editor) -> std::optional<Outcome> {
+    editor.lift_pen();
+    Outcome outcome{Task::advise};
+    outcome.advice = calligraphy::advise(editor.written(), ink_on(editor.sheet()), models, options);
     return outcome;
   });
 }

@@ -28,6 +28,11 @@ std::array<paint::Pigment, paint::kSlots> first_palette() {
           paint::find_pigment("sumi-blue").value()};
 }
 
+void move_last(std::vector<BrushStroke>& from, std::vector<BrushStroke>& to) {
+  to.push_back(std::move(from.back()));
+  from.pop_back();
+}
+
 base::Result<paint::Sheet> empty_sheet(std::string_view paper, int cells,
                                        const std::array<paint::Pigment, paint::kSlots>& palette) {
   auto kind = paint::find_paper(paper);
@@ -138,6 +143,7 @@ void SheetEditor::remember(Edit edit) {
   board_.past.push_back({edit, board_.strokes, board_.revision, ink_});
   if (board_.past.size() > paint::History::kStrokes) board_.past.pop_front();
   board_.future.clear();
+  board_.undone.clear();
   later_.clear();
   board_.revision = ++revisions_;
 }
@@ -146,6 +152,7 @@ void SheetEditor::begin_stroke() {
   fit_load();
   remember(Edit::stroke);
   ++board_.strokes;
+  board_.written.emplace_back();
   is_writing_ = true;
 }
 
@@ -172,7 +179,11 @@ void SheetEditor::move_pen(brush::PenSample sample) {
     }
   }
   tuft_.move_to(pose, swept_);
-  if (is_writing_) board_.sheet.touch(swept_, load_);
+  if (is_writing_) {
+    board_.sheet.touch(swept_, load_);
+    // The hair that leaves the paper sweeps on behind the pen; the stroke ends where it was pressed last.
+    if (sample.down) add_point(board_.written.back(), sample, swept_, handling_.guess_pressure);
+  }
   if (!sample.down) is_writing_ = false;
   last_ = sample;
 }
@@ -206,6 +217,7 @@ Edit SheetEditor::undo() {
     return Edit::new_sheet;
   }
   board_.history.undo(board_.sheet, load_);
+  if (board_.past.back().edit == Edit::stroke) move_last(board_.written, board_.undone);
   return travel(board_.past, board_.future);
 }
 
@@ -217,6 +229,7 @@ Edit SheetEditor::redo() {
     return Edit::new_sheet;
   }
   board_.history.redo(board_.sheet, load_);
+  if (board_.future.back().edit == Edit::stroke) move_last(board_.undone, board_.written);
   return travel(board_.future, board_.past);
 }
 
@@ -254,6 +267,7 @@ void SheetEditor::swap_board(std::vector<Board>& from, std::vector<Board>& to) {
 
 void SheetEditor::put(Board board) {
   board_.future.clear();
+  board_.undone.clear();
   later_.clear();
   board_.load = load_;
   board_.ink = ink_;

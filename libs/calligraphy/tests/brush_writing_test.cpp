@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "nazori/base/file.h"
+#include "writing_under_test.h"
 
 namespace nazori::calligraphy {
 namespace {
@@ -329,6 +330,35 @@ TEST_F(BrushWritingTest, FilesAreWrittenAndReadAndErrorsReported) {
   writing_.save_png(folder / "no" / "a.png");
   EXPECT_TRUE(outcome().failed);
   fs::remove_all(folder);
+}
+
+TEST_F(BrushWritingTest, StrokesAreSavedAsSvgAndTheSheetAsPdf) {
+  const fs::path folder = fs::path(testing::TempDir()) / "drawings";
+  fs::create_directories(folder);
+  writing_.save_svg(folder / "a.svg");
+  EXPECT_TRUE(outcome().failed);
+  line(0);
+  writing_.save_svg(folder / "a.svg");
+  EXPECT_EQ(outcome().task, Task::save_svg);
+  EXPECT_FALSE(last_.failed);
+  EXPECT_TRUE(fs::exists(folder / "a.svg"));
+  writing_.save_pdf(folder / "a.pdf", "a");
+  EXPECT_EQ(outcome().task, Task::save_pdf);
+  EXPECT_FALSE(last_.failed);
+  EXPECT_TRUE(fs::exists(folder / "a.pdf"));
+  fs::remove_all(folder);
+}
+
+TEST_F(BrushWritingTest, AdviceIsAboutWhatIsWrittenAndChangesNothing) {
+  line(0);
+  const std::vector<SheetModel> models{{test::three(), only_square()}, {test::rest(), ruled_squares(6)[5]}};
+  writing_.advise(models, {});
+  EXPECT_EQ(outcome().task, Task::advise);
+  ASSERT_EQ(last_.advice.size(), 2U);
+  EXPECT_EQ(last_.advice[0].character, U'三');
+  EXPECT_EQ(last_.advice[0].written, 1);
+  EXPECT_EQ(last_.advice[1].written, 0);
+  EXPECT_EQ(writing_.state().strokes, 1);
 }
 
 TEST_F(BrushWritingTest, TheSheetIsCarved) {

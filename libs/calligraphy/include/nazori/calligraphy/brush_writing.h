@@ -10,6 +10,7 @@
 
 #include "nazori/base/executor.h"
 #include "nazori/base/signal.h"
+#include "nazori/calligraphy/advice.h"
 #include "nazori/calligraphy/sheet_editor.h"
 
 namespace nazori::calligraphy {
@@ -29,13 +30,27 @@ struct BrushFrame {
 };
 
 /// What was asked for and is done, or has failed.
-enum class Task : std::uint8_t { undo, redo, dry, new_sheet, ink, save, open, save_png, carve };
+enum class Task : std::uint8_t {
+  undo,
+  redo,
+  dry,
+  new_sheet,
+  ink,
+  save,
+  open,
+  save_png,
+  save_svg,
+  save_pdf,
+  carve,
+  advise
+};
 struct Outcome {
   Task task = Task::undo;
   Edit edit = Edit::none;                                   ///< what undo or redo did
   bool changed = true;                                      ///< false: there was nothing to do
   std::filesystem::path file = {};                          ///< that was read or written
   std::shared_ptr<const tablet::CarvedTablet> tablet = {};  ///< of Task::carve
+  std::vector<CharacterAdvice> advice = {};                 ///< of Task::advise
   bool failed = false;
   base::Error error = {};  ///< where it failed; nothing was changed then
 };
@@ -78,7 +93,12 @@ class BrushWriting {
   void save(const std::filesystem::path& path);
   void open(const std::filesystem::path& path);
   void save_png(const std::filesystem::path& path);
+  /// As calligraphy::save_svg() and save_pdf(). @param title  of the document.
+  void save_svg(const std::filesystem::path& path);
+  void save_pdf(const std::filesystem::path& path, const std::string& title);
   void carve();
+  /// Compares the sheet with its models, as calligraphy::advise().
+  void advise(std::vector<SheetModel> models, const AdviceOptions& options);
 
   /// The state of the last frame.
   [[nodiscard]] const SheetState& state() const { return state_; }

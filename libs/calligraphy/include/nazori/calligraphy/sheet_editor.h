@@ -14,6 +14,7 @@
 #include "nazori/brush/aim.h"
 #include "nazori/brush/replay.h"
 #include "nazori/brush/tuft.h"
+#include "nazori/calligraphy/brush_stroke.h"
 #include "nazori/calligraphy/tools.h"
 #include "nazori/paint/history.h"
 #include "nazori/paint/sheet.h"
@@ -109,6 +110,8 @@ class SheetEditor {
 
   [[nodiscard]] const paint::Sheet& sheet() const { return board_.sheet; }
   [[nodiscard]] const paint::InkLoad& load() const { return load_; }
+  /// The strokes on the sheet that were written here, in their order; those of a file are not known.
+  [[nodiscard]] const std::vector<BrushStroke>& written() const { return board_.written; }
   [[nodiscard]] SheetState state() const;
   [[nodiscard]] BrushShape brush_shape() const;
   /// The picture, up to date. @param changed  gets the numbers of the tiles that changed since the last call.
@@ -130,10 +133,11 @@ class SheetEditor {
     paint::History history;
     std::deque<Mark> past, future;
     int strokes = 0;
-    std::uint64_t revision = 0;  ///< equal only for equal sheets
-    std::uint64_t saved = 0;     ///< the revision that a file has
-    paint::InkLoad load;         ///< of the brush when it left this sheet
-    std::string ink;             ///< likewise
+    std::vector<BrushStroke> written, undone;  ///< `undone`: the one that redo brings back is the last
+    std::uint64_t revision = 0;                ///< equal only for equal sheets
+    std::uint64_t saved = 0;                   ///< the revision that a file has
+    paint::InkLoad load;                       ///< of the brush when it left this sheet
+    std::string ink;                           ///< likewise
   };
 
   SheetEditor(Board board, const BrushChoice& choice);
