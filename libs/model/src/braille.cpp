@@ -63,20 +63,27 @@ double braille_width_mm(std::size_t cells, const BrailleSize& size) {
 
 double braille_height_mm(const BrailleSize& size) { return 2 * size.dot_distance_mm + size.dot_width_mm; }
 
-void add_braille(Plate& plate, const std::vector<BrailleCell>& cells, PlatePoint lower_left,
-                 const BrailleSize& size) {
+std::vector<PlatePoint> braille_dots(std::span<const BrailleCell> cells, PlatePoint lower_left,
+                                     const BrailleSize& size) {
   const double inset = size.dot_width_mm / 2;
+  std::vector<PlatePoint> points;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     for (unsigned dot = 0; dot < 6; ++dot) {
       if ((cells[i] >> dot & 1U) == 0) continue;
       const unsigned column = dot / 3;
       const unsigned row = 2 - dot % 3;
-      plate.add_dot({lower_left.x + inset + static_cast<double>(i) * size.cell_distance_mm +
-                         column * size.dot_distance_mm,
-                     lower_left.y + inset + row * size.dot_distance_mm},
-                    size.dot_width_mm, size.dot_height_mm);
+      points.push_back({lower_left.x + inset + static_cast<double>(i) * size.cell_distance_mm +
+                            column * size.dot_distance_mm,
+                        lower_left.y + inset + row * size.dot_distance_mm});
     }
   }
+  return points;
+}
+
+void add_braille(Plate& plate, const std::vector<BrailleCell>& cells, PlatePoint lower_left,
+                 const BrailleSize& size) {
+  for (const PlatePoint dot : braille_dots(cells, lower_left, size))
+    plate.add_dot(dot, size.dot_width_mm, size.dot_height_mm);
 }
 
 }  // namespace nazori::model

@@ -25,6 +25,8 @@ int steps_in(double length_mm, double step_mm) {
 
 }  // namespace
 
+double sinking_mm(double length_mm) { return std::min(kSinkingMm, kSinkingShare * length_mm); }
+
 Plate::Plate(int columns, int rows, double step_mm, double thickness_mm)
     : columns_(columns),
       rows_(rows),
@@ -95,7 +97,7 @@ void Plate::put(const surface::HeightMap& map, PlatePoint lower_left, double sid
 
 void Plate::add_line(std::span<const PlatePoint> line, const RaisedLine& profile, LineEnd end) {
   const double total = geometry::arc_length(line);
-  const double sinking = std::min(kSinkingMm, kSinkingShare * total);
+  const double sinking = sinking_mm(total);
   const double radius = profile.width_mm / 2 / half_height;
   const auto raise = [&](PlatePoint from, PlatePoint to, double before) {
     const double segment = geometry::distance(from, to);

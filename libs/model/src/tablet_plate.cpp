@@ -19,19 +19,19 @@ constexpr double kMostSamples = 1'500'000;  // so that a model takes well under 
 
 class Layout {
  public:
-  Layout(std::size_t count, const TabletPlateSettings& settings)
-      : s_(settings),
-        columns_(settings.vertical ? 1.0 : static_cast<double>(count)),
-        rows_(settings.vertical ? static_cast<double>(count) : 1.0) {}
-
-  [[nodiscard]] double width() const { return columns_ * s_.side_mm + 2 * s_.margin_mm; }
-  [[nodiscard]] double height() const {
-    return rows_ * s_.side_mm + 2 * s_.margin_mm + (s_.hanging_hole ? kHoleStrip_mm : 0);
+  Layout(std::size_t count, const TabletPlateSettings& settings) : s_(settings) {
+    const std::size_t all = std::max<std::size_t>(count, 1);
+    columns_ = settings.vertical ? 1 : all;
+    if (settings.columns > 0) columns_ = std::min(all, static_cast<std::size_t>(settings.columns));
+    rows_ = (all + columns_ - 1) / columns_;
   }
+
+  [[nodiscard]] double width() const { return extent(columns_); }
+  [[nodiscard]] double height() const { return extent(rows_) + (s_.hanging_hole ? kHoleStrip_mm : 0); }
   [[nodiscard]] PlatePoint lower_left(std::size_t i) const {
-    const auto place = static_cast<double>(i);
-    return {s_.margin_mm + (s_.vertical ? 0 : place * s_.side_mm),
-            s_.margin_mm + (s_.vertical ? (rows_ - 1 - place) * s_.side_mm : 0)};
+    const double pitch = s_.side_mm + s_.gap_mm;
+    return {s_.margin_mm + static_cast<double>(i % columns_) * pitch,
+            s_.margin_mm + static_cast<double>(rows_ - 1 - i / columns_) * pitch};
   }
   [[nodiscard]] base::Result<Plate> plate(double finest_mm) const {
     const double step = std::max(finest_mm, std::sqrt(width() * height() / kMostSamples));
@@ -43,22 +43,34 @@ class Layout {
   }
 
  private:
+  [[nodiscard]] double extent(std::size_t count) const {
+    return static_cast<double>(count) * (s_.side_mm + s_.gap_mm) - s_.gap_mm + 2 * s_.margin_mm;
+  }
+
   const TabletPlateSettings& s_;
-  double columns_;
-  double rows_;
+  std::size_t columns_;
+  std::size_t rows_;
 };
 
 base::Result<void> check(std::size_t count, const TabletPlateSettings& s) {
   if (count == 0)
     return base::fail(base::Errc::bad_argument, "there is no tablet", "plate", "give one or more");
-  if (!(s.side_mm >= 10 && s.side_mm <= 500) || !(s.margin_mm >= 0 && s.margin_mm <= 100)) {
+  if (!(s.side_mm >= 10 && s.side_mm <= 500) || !(s.margin_mm >= 0 && s.margin_mm <= 100) ||
+      !(s.gap_mm >= 0 && s.gap_mm <= 100) || s.columns < 0) {
     return base::fail(base::Errc::bad_argument, "the size is out of range", "plate",
-                      "give tablets of 10 to 500 mm, and a margin of 0 to 100 mm");
+                      "give tablets of 10 to 500 mm, and a margin and a gap of 0 to 100 mm");
   }
   return {};
 }
 
 }  // namespace
+
+std::vector<PlatePoint> tablet_corners(std::size_t count, const TabletPlateSettings& settings) {
+  const Layout layout(count, settings);
+  std::vector<PlatePoint> corners;
+  for (std::size_t i = 0; i < count; ++i) corners.push_back(layout.lower_left(i));
+  return corners;
+}
 
 base::Result<Plate> grooved_plate(std::span<const surface::HeightMap> maps,
                                   const TabletPlateSettings& settings) {

@@ -40,6 +40,30 @@ TEST(TabletPlate, AGrooveHasItsDepthInTheMiddleOfTheTablet) {
   EXPECT_NEAR(plate.holes()[0].centre.y, 115, 0.2);
 }
 
+TEST(TabletPlate, TabletsStandInRowsWithGaps) {
+  TabletPlateSettings settings;
+  settings.side_mm = 40;
+  settings.gap_mm = 10;
+  settings.columns = 2;
+  settings.hanging_hole = false;
+  // 2 above, 1 below: only the third is deep.
+  const auto flat = surface::HeightMap::create(65).value();
+  const std::array maps{flat, flat, pit()};
+  const Plate plate = grooved_plate(maps, settings).value();
+  EXPECT_NEAR(plate.width_mm(), 12 + 90, 0.2);
+  EXPECT_NEAR(plate.height_mm(), 12 + 90, 0.2);
+  EXPECT_NEAR(rise(plate, 26, 26), -3, 1e-3);
+  const auto corners = tablet_corners(3, settings);
+  EXPECT_EQ(corners[0], (PlatePoint{6, 56}));
+  EXPECT_EQ(corners[1], (PlatePoint{56, 56}));
+  EXPECT_EQ(corners[2], (PlatePoint{6, 6}));
+  settings.gap_mm = -1;
+  EXPECT_FALSE(grooved_plate(maps, settings));
+  settings.gap_mm = 0;
+  settings.columns = -1;
+  EXPECT_FALSE(grooved_plate(maps, settings));
+}
+
 TEST(TabletPlate, AWordStandsSideBySideOrBelowOneAnother) {
   TabletPlateSettings settings;
   settings.side_mm = 40;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,10 @@ using BrailleCell = std::uint8_t;
 /// Width and height from the outer edges of the dots [mm]; of a whole cell where dots are missing.
 [[nodiscard]] double braille_width_mm(std::size_t cells, const BrailleSize& size = {});
 [[nodiscard]] double braille_height_mm(const BrailleSize& size = {});
+
+/// The middles of the dots. @param lower_left  as add_braille().
+[[nodiscard]] std::vector<PlatePoint> braille_dots(std::span<const BrailleCell> cells, PlatePoint lower_left,
+                                                   const BrailleSize& size = {});
 
 /// Puts dots on the plate. @param lower_left  of the box of braille_width_mm() x braille_height_mm().
 void add_braille(Plate& plate, const std::vector<BrailleCell>& cells, PlatePoint lower_left,

@@ -27,8 +27,24 @@ struct RaisedStrokeSettings {
   double clear_mm = 1.2;     ///< between a number and all else that is raised
 };
 
-/// Puts the strokes of one character on a flat plate: lines, starting dots, and beside each start its number.
-/// A number stands where nothing else is, at most 16 mm from its start.
+/// A number in braille at its place.
+struct StrokeNumber {
+  std::vector<BrailleCell> cells;  ///< the digits, without the sign for numbers
+  PlatePoint lower_left;           ///< of their box
+};
+
+/// Places for the numbers of strokes, beside their starts. A number stands where nothing else is, at most 16
+/// mm from its start.
+struct StrokeNumbers {
+  std::vector<StrokeNumber> numbers;
+  std::vector<int> without_room;  ///< numbers of the strokes (from 1) that have no place
+};
+/// @param width_mm,height_mm  of the plate or the paper.
+[[nodiscard]] StrokeNumbers stroke_numbers(std::span<const RaisedStroke> strokes, double width_mm,
+                                           double height_mm, const RaisedStrokeSettings& settings = {});
+
+/// Puts the strokes of one character on a flat plate: lines, starting dots, and the numbers of
+/// stroke_numbers().
 /// @return numbers of the strokes (from 1) for which there was no room.
 std::vector<int> add_strokes(Plate& plate, std::span<const RaisedStroke> strokes,
                              const RaisedStrokeSettings& settings = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,10 +18,15 @@ struct TabletPlateSettings {
   double thickness_mm = 6;  ///< of the plate, without what is raised
   double depth_mm = 3;      ///< of the deepest groove; at least 1 mm less than the thickness
   bool vertical = false;    ///< several tablets stand below one another, not side by side
+  int columns = 0;          ///< tablets in one row before the next row begins; 0: all, or one if vertical
+  double gap_mm = 0;        ///< between neighbouring tablets, 0..100
   bool hanging_hole =
       true;  ///< a hole of 4 mm in a strip above the tablets, which also tells which side is up
   RaisedStrokeSettings strokes;
 };
+
+/// The lower left corners of the squares of tablets on their plate, in reading order.
+[[nodiscard]] std::vector<PlatePoint> tablet_corners(std::size_t count, const TabletPlateSettings& settings);
 
 /// A plate with the grooves of tablets, for a stylus or a pencil.
 /// @param maps  one or more, in reading order.
