@@ -31,6 +31,7 @@ struct DemoSettings {
   std::string output = "{}-demo.png";
   std::string record;
   devices::SimulatedHardware hardware = devices::SimulatedHardware::touch();
+  double tip_radius_m = 0;
   bool snap = false;
   bool real_time = false;
   bool json = false;
@@ -121,8 +122,9 @@ int run(Console& console, const DemoSettings& settings) {
   for (std::size_t i = 0; i < characters->size(); ++i) {
     const kanji::Character& character = (*characters)[i];
     const std::string name = kanji::name_of(character).text();
-    const auto tablet =
+    auto tablet =
         tablet::CarvedTablet::from_lines(tablet::tablet_lines(character.lines()), kMapSize, settings.brush);
+    if (tablet && settings.tip_radius_m > 0) tablet = (*tablet)->with_tip(settings.tip_radius_m);
     if (!tablet) return console.refuse(tablet.error());
     std::optional<Record> record;
     if (!recordings.empty()) record = Record{recordings[i], name};
@@ -170,6 +172,7 @@ void add_demo(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->type_name("FILE");
   add_device_option(*verb, settings->hardware, "Device to simulate");
+  add_tip_option(*verb, settings->tip_radius_m);
   verb->add_flag("--snap", settings->snap, "Switch snapping on: strokes attract the stylus");
   verb->add_flag("--real-time", settings->real_time, "Run in real time like a device, and report the timing");
   verb->add_option("--record", settings->record,

@@ -45,6 +45,7 @@ struct FeelSettings {
   haptics::Material material;
   std::vector<double> friction;
   devices::SimulatedHardware hardware = devices::SimulatedHardware::touch();
+  double tip_radius_m = 0;
   bool json = false;
   carving::Brush brush;
 };
@@ -58,7 +59,7 @@ struct Subject {
   Tablet tablet;
 };
 
-tl::expected<Subject, int> subject_of(Console& console, const FeelSettings& settings) {
+tl::expected<Subject, int> carved_subject(Console& console, const FeelSettings& settings) {
   const bool own = !settings.own.height_map.empty() || !settings.own.strokes.empty();
   if (own == !settings.characters.empty()) {
     return tl::unexpected(console.refuse(
@@ -85,6 +86,15 @@ tl::expected<Subject, int> subject_of(Console& console, const FeelSettings& sett
                                                  settings.own.map_size.value_or(kCarvedSize), settings.brush);
   if (!tablet) return tl::unexpected(console.refuse(tablet.error()));
   return Subject{names->front().text(), std::move(*tablet)};
+}
+
+tl::expected<Subject, int> subject_of(Console& console, const FeelSettings& settings) {
+  auto subject = carved_subject(console, settings);
+  if (!subject || settings.tip_radius_m == 0) return subject;
+  auto tipped = subject->tablet->with_tip(settings.tip_radius_m);
+  if (!tipped) return tl::unexpected(console.refuse(tipped.error()));
+  subject->tablet = std::move(*tipped);
+  return subject;
 }
 
 base::Result<std::shared_ptr<const haptics::HapticScene>> scene_of(const Subject& subject,
@@ -152,15 +162,17 @@ base::Result<Felt> feel(TrajectoryTicks& ticks, haptics::Servo& servo, SampleOut
 
 exchange::FeltMotion motion_of(const Felt& felt, const Subject& subject, const FeelSettings& settings,
                                double rate_hz) {
-  return {subject.name, settings.mode,  settings.hardware.name,
-          rate_hz,      settings.input, settings.output,
-          felt.samples, felt.timing,    felt.took_s};
+  return {subject.name,   settings.mode,        settings.hardware.name, rate_hz,
+          settings.input, settings.output,      felt.samples,           felt.timing,
+          felt.took_s,    settings.tip_radius_m};
 }
 
 std::string describe(const Felt& felt, const Subject& subject, const FeelSettings& settings, double rate_hz) {
   return fmt::format(
-      "{}  mode {}, device {}\n{}replayed in {:.2f} s, {:.0f} times as fast as real time\n{}\n", subject.name,
-      settings.mode, settings.hardware.name, statistics_text(felt.samples, rate_hz), felt.took_s,
+      "{}  mode {}, device {}{}\n{}replayed in {:.2f} s, {:.0f} times as fast as real time\n{}\n",
+      subject.name, settings.mode, settings.hardware.name,
+      settings.tip_radius_m > 0 ? fmt::format(", ball of {:g} mm", 1e3 * settings.tip_radius_m) : "",
+      statistics_text(felt.samples, rate_hz), felt.took_s,
       motion_of(felt, subject, settings, rate_hz).real_time_factor(), settings.output);
 }
 
@@ -268,6 +280,7 @@ void add_feel(CLI::App& app, Action& chosen) {
       ->check(within(TrajectoryTicks::kLowestRate_hz, TrajectoryTicks::kHighestRate_hz))
       ->type_name("HZ");
   add_device_option(*verb, settings->hardware, "Device whose limits apply");
+  add_tip_option(*verb, settings->tip_radius_m);
   verb->add_flag("--json", settings->json, "Print JSON (see docs/command-line.md)");
   add_material_options(*verb, *settings);
   const std::string own = "Your own tablet instead of a character";

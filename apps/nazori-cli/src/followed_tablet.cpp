@@ -100,6 +100,7 @@ base::Result<FollowedTablet> follow_strokes(const tablet::CarvedTablet& tablet,
     recording::Session about;
     about.device = hand.describe();
     about.shape = tablet.shape();
+    about.tip_radius_m = tablet.tip_radius_m();
     auto started = RecordingBeside::start(hand.servo(), *record, std::move(about));
     if (!started) return tl::unexpected(std::move(started.error()));
     recorder = std::move(*started);

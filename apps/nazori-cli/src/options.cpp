@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options.h"
+#include "nazori/surface/ball_surface.h"
 
 #include <fmt/format.h>
 
@@ -52,10 +53,10 @@ void add_brush_options(CLI::App& verb, carving::Brush& brush) {
       ->capture_default_str()
       ->type_name("FRACTION")
       ->group(group);
-  static const std::map<std::string, CrossSection> kSections{
+  static const std::map<std::string, CrossSection> sections{
       {"rounded", CrossSection::rounded}, {"v", CrossSection::v_shaped}, {"flat", CrossSection::flat_bottom}};
   verb.add_option_function<std::string>(
-          "--cross-section", [&brush](const std::string& name) { brush.cross_section = kSections.at(name); },
+          "--cross-section", [&brush](const std::string& name) { brush.cross_section = sections.at(name); },
           "Cross-section of the groove: rounded, v or flat")
       ->check(CLI::IsMember({"rounded", "v", "flat"}, CLI::ignore_case))
       ->default_str("rounded")
@@ -73,18 +74,27 @@ void add_database_option(CLI::App& verb, std::string& path) {
 }
 
 void add_device_option(CLI::App& verb, devices::SimulatedHardware& hardware, const std::string& description) {
-  static const std::map<std::string, devices::SimulatedHardware> kDevices{
+  static const std::map<std::string, devices::SimulatedHardware> devices_by_name{
       {"touch", devices::SimulatedHardware::touch()},
       {"touch-x", devices::SimulatedHardware::touch_x()},
       {"falcon", devices::SimulatedHardware::falcon()},
       {"omega3", devices::SimulatedHardware::omega_3()},
       {"inverse3", devices::SimulatedHardware::inverse3()}};
   verb.add_option_function<std::string>(
-          "--device", [&hardware](const std::string& name) { hardware = kDevices.at(name); },
+          "--device", [&hardware](const std::string& name) { hardware = devices_by_name.at(name); },
           description + ": touch, touch-x, falcon, omega3 or inverse3")
       ->check(CLI::IsMember({"touch", "touch-x", "falcon", "omega3", "inverse3"}))
       ->default_str("touch")
       ->type_name("DEVICE");
+}
+
+void add_tip_option(CLI::App& verb, double& radius_m) {
+  verb.add_option_function<double>(
+          "--tip-radius-mm", [&radius_m](double mm) { radius_m = mm / 1000; },
+          "Radius of the ball at the tip of the stylus; 0: a point")
+      ->check(within(0, 1000 * surface::kLargestBall_m))
+      ->default_str("0")
+      ->type_name("MM");
 }
 
 base::Result<PictureSize> parse_picture_size(std::string_view text) {

@@ -24,6 +24,9 @@ void add_database_option(CLI::App& verb, std::string& path);
 /// --device: one of the simulated presets. `hardware` must outlive `verb`.
 void add_device_option(CLI::App& verb, devices::SimulatedHardware& hardware, const std::string& description);
 
+/// --tip-radius-mm: the ball at the tip of the stylus. `radius_m` must outlive `verb`.
+void add_tip_option(CLI::App& verb, double& radius_m);
+
 /// Width and height of a picture.
 struct PictureSize {
   int width = 0;

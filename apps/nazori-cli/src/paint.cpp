@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "nazori/base/utf8.h"
 #include "nazori/brush/aim.h"
 #include "nazori/brush/tuft.h"
+#include "nazori/calligraphy/sheet_export.h"
 #include "nazori/exchange/tablets.h"
 #include "nazori/paint/sheet.h"
 #include "nazori/paint/sheet_picture.h"
@@ -99,6 +101,7 @@ class Writing {
       }
       tuft.move_to(pose, swept);
       sheet_.touch(swept, load);
+      note_stroke(sample, pose, swept);
       if (!progress.show(static_cast<double>(i) / static_cast<double>(samples.size()), "writing"))
         return base::fail(base::Errc::cancelled, "stopped", settings.script);
     }
@@ -113,8 +116,18 @@ class Writing {
   }
 
   [[nodiscard]] int frames() const { return saved_; }
+  /// All strokes that touched the paper, in their order.
+  [[nodiscard]] const std::vector<calligraphy::BrushStroke>& strokes() const { return strokes_; }
 
  private:
+  void note_stroke(const brush::PenSample& sample, const brush::HolderPose& pose,
+                   const std::vector<geometry::BristleSegment>& swept) {
+    const bool presses = pose.depth_m > 0;
+    if (presses && !pressed_) strokes_.emplace_back();
+    pressed_ = presses;
+    if (presses) calligraphy::add_point(strokes_.back(), sample, swept);
+  }
+
   base::Result<void> step() {
     sheet_.step();
     if (frames_.empty() || ++steps_ % kStepsPerFrame != 0) return {};
@@ -126,6 +139,8 @@ class Writing {
   brush::TuftForm form_;
   std::string frames_;
   paint::SheetPicture picture_;
+  std::vector<calligraphy::BrushStroke> strokes_;
+  bool pressed_ = false;
   int steps_ = 0, saved_ = 0;
 };
 
@@ -165,6 +180,17 @@ double painted_mm2(const paint::Sheet& sheet) {
   return static_cast<double>(cells) * sheet.cell_m() * sheet.cell_m() * 1e6;
 }
 
+/// As the extension says: strokes, a page, or a picture.
+base::Result<void> save(const paint::Sheet& sheet, std::span<const calligraphy::BrushStroke> strokes,
+                        const std::string& script, const fs::path& path) {
+  if (has_extension(path.string(), ".svg")) return calligraphy::save_svg(strokes, path);
+  if (has_extension(path.string(), ".pdf"))
+    return calligraphy::save_pdf(sheet, fs::path(script).stem().string(), path);
+  paint::SheetPicture picture;
+  picture.update(sheet);
+  return surface::save_png(picture.picture(), path);
+}
+
 base::Result<exchange::PaintedSheet> paint_sheet(const BrushScript& script,
                                                  const std::vector<brush::PenSample>& model,
                                                  const PaintSettings& settings, const OutputPlace& place,
@@ -186,12 +212,14 @@ base::Result<exchange::PaintedSheet> paint_sheet(const BrushScript& script,
       return tl::unexpected(done.error());
     sheet->dry_now();
   }
+  const std::size_t of_model = writing.strokes().size();
   const auto left = writing.write(script.samples, kInk, settings, progress);
   if (!left) return tl::unexpected(left.error());
   if (auto done = writing.wait(settings.after_s); !done) return tl::unexpected(done.error());
-  paint::SheetPicture picture;
-  picture.update(*sheet);
-  if (auto saved = surface::save_png(picture.picture(), place.path()); !saved)
+  const std::span<const calligraphy::BrushStroke> strokes = writing.strokes();
+  if (auto saved =
+          save(*sheet, strokes.subspan(script.samples.empty() ? 0 : of_model), settings.script, place.path());
+      !saved)
     return tl::unexpected(saved.error());
 
   exchange::PaintedSheet painted;
@@ -209,7 +237,7 @@ base::Result<exchange::PaintedSheet> paint_sheet(const BrushScript& script,
 }
 
 int run(Console& console, const PaintSettings& settings) {
-  const auto place = output_file({"--output", settings.output, {".png"}});
+  const auto place = output_file({"--output", settings.output, {".png", ".svg", ".pdf"}});
   if (!place) return console.refuse(place.error());
   const NamedFile files[] = {{"script", settings.script, NamedFile::Use::read}, {"--output", place->name()}};
   if (auto fine = check_distinct(files, settings.json); !fine) return console.refuse(fine.error());
@@ -245,7 +273,10 @@ void add_paint(CLI::App& app, Action& chosen) {
                    "A trajectory (.csv, as record export writes) or handwriting (.json, one object as for "
                    "grade)")
       ->required();
-  verb->add_option("-o,--output", s->output, "Output .png; - is standard output")
+  verb->add_option(
+          "-o,--output", s->output,
+          "Output .png (picture), .svg (strokes) or .pdf (page at real size); - is a .png on standard "
+          "output")
       ->required()
       ->type_name("FILE");
   verb->add_option("--frames", s->frames, "Also write 30 pictures per second to this folder: 00001.png, ...")

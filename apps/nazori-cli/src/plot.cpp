@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "json_answers.h"
+#include "nazori/base/file.h"
 #include "nazori/exchange/plots.h"
 #include "nazori/functions/braille.h"
 #include "nazori/functions/data_points.h"
@@ -21,10 +22,12 @@
 #include "nazori/functions/sound.h"
 #include "nazori/functions/tablet_curves.h"
 #include "nazori/functions/value_table.h"
+#include "nazori/practice/touch_plot.h"
 #include "nazori/surface/height_map.h"
 #include "options.h"
 #include "output_files.h"
 #include "solid_model.h"
+#include "touch_options.h"
 #include "verbs.h"
 
 namespace nazori::cli {
@@ -46,6 +49,7 @@ struct PlotSettings {
   std::string sound;
   std::string model;
   double model_side_mm = 120;
+  PaperOptions paper;
   std::string language = "en";
   std::string speech = "verbose";
   std::vector<std::string> values;
@@ -84,7 +88,8 @@ base::Result<Files> files_of(const PlotSettings& s) {
   if (auto r = check(files.mask, "--mask", s.mask, {".png"}); !r) return tl::unexpected(r.error());
   if (auto r = check(files.print, "--print", s.print, {".png"}); !r) return tl::unexpected(r.error());
   if (auto r = check(files.sound, "--sound", s.sound, {".wav"}); !r) return tl::unexpected(r.error());
-  if (auto r = check(files.model, "--model", s.model, {".stl", ".3mf"}); !r) return tl::unexpected(r.error());
+  if (auto r = check(files.model, "--model", s.model, {".stl", ".3mf", ".pdf", ".brf"}); !r)
+    return tl::unexpected(r.error());
   if (auto fine = check_distinct(named, s.json); !fine) return tl::unexpected(std::move(fine.error()));
   return files;
 }
@@ -155,9 +160,23 @@ base::Result<void> save(const Files& files, const functions::Picture& picture, c
   return {};
 }
 
-/// The plot as raised lines, or as a raised surface.
-base::Result<void> save_solid(const functions::Plot& plot, const functions::Picture& picture,
-                              const PlotSettings& s, const OutputPlace& place) {
+functions::BrailleCode braille_code(const std::string& name) {
+  return name == "nemeth" ? functions::BrailleCode::nemeth : functions::BrailleCode::ueb;
+}
+
+/// The plot for fingers: raised lines or a raised surface as a solid, or lines on paper. @return what people
+/// should know of it, a line or nothing.
+base::Result<std::string> save_for_fingers(const functions::Plot& plot, const functions::Picture& picture,
+                                           const PlotSettings& s, const OutputPlace& place) {
+  if (const auto kind = practice::touch_kind_of(place.path())) {
+    const practice::PlotPaper paper{s.model_side_mm, s.paper.paper(), s.paper.embosser,
+                                    braille_code(s.braille)};
+    const auto made = practice::plot_touch_file(*kind, plot, picture, paper);
+    if (!made) return tl::unexpected(made.error());
+    if (auto saved = base::write_file(place.path(), made->content); !saved)
+      return tl::unexpected(std::move(saved.error()));
+    return close_lines_text(*made);
+  }
   const auto plate = practice::plot_plate(plot, picture, s.model_side_mm);
   if (!plate) return tl::unexpected(plate.error());
   const auto made = save_model(*plate, place, functions::canonical(plot));
@@ -218,6 +237,9 @@ int run(Console& console, PlotSettings s) {
   if (plot->is_surface() && files->print)
     return console.refuse(
         {base::Errc::bad_argument, "a surface has no lines to print", "--print", "give a curve"});
+  if (plot->is_surface() && files->model && practice::touch_kind_of(files->model->path()))
+    return console.refuse({base::Errc::bad_argument, "a surface has no lines for paper", "--model",
+                           "give a curve, or a file .stl or .3mf"});
 
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto language = s.language == "ja" ? functions::Language::japanese : functions::Language::english;
@@ -237,9 +259,11 @@ int run(Console& console, PlotSettings s) {
   const auto points = functions::points_of_interest(*plot, picture->tracing);
   timings.points_ms = ms_since(before);
   if (auto saved = save(*files, *picture, *plot, points); !saved) return console.refuse(saved.error());
+  std::string for_fingers;
   if (files->model) {
-    if (auto saved = save_solid(*plot, *picture, s, *files->model); !saved)
-      return console.refuse(saved.error());
+    auto saved = save_for_fingers(*plot, *picture, s, *files->model);
+    if (!saved) return console.refuse(saved.error());
+    for_fingers = *std::move(saved);
   }
   if (const OutputPlace* const file = console_file(*files)) {
     const auto sent = file->deliver(console);
@@ -267,10 +291,8 @@ int run(Console& console, PlotSettings s) {
   }
   console.print(typed_text(*plot) + "\n" +
                 functions::summary(*plot, picture->tracing, points, language, style) + "\n");
-  if (!s.braille.empty())
-    console.print(functions::in_braille(*plot, s.braille == "ueb" ? functions::BrailleCode::ueb
-                                                                  : functions::BrailleCode::nemeth) +
-                  "\n");
+  if (!s.braille.empty()) console.print(functions::in_braille(*plot, braille_code(s.braille)) + "\n");
+  console.print(for_fingers);
   for (const functions::SyntaxError& q : plot->questions)
     console.print(fmt::format("Column {}: {}\n", q.column, functions::question_words(q, language)));
   console.print(table);
@@ -325,13 +347,15 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->type_name("FILE");
   verb->add_option(
           "--model", s->model,
-          "Solid model for fingers: raised curves or a raised surface, axes, and ticks in braille: .stl or "
-          ".3mf")
+          "For fingers: raised curves or a raised surface, axes, and ticks in braille: .stl or .3mf for a "
+          "printer; curves on paper: .pdf for swell paper, .brf for a braille embosser")
       ->type_name("FILE");
-  verb->add_option("--model-size-mm", s->model_side_mm, "Side of the square of the plot in the model")
+  verb->add_option("--model-size-mm", s->model_side_mm,
+                   "Side of the square of the plot in the model or on swell paper")
       ->check(within(40, 400))
       ->capture_default_str()
       ->type_name("MM");
+  add_paper_options(*verb, s->paper, "Paper for fingers (--model)");
   verb->add_flag("--decimal-comma", s->decimal_comma,
                  "Read 1,5 as a decimal number in argument lists too: min(1,5; x)");
   verb->add_option("--set", s->values, "Value of a parameter of the expression: --set a=1.5")
@@ -346,7 +370,8 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->delimiter(',')
       ->expected(3)
       ->type_name("FROM,TO,STEP");
-  verb->add_option("--braille", s->braille, "Expressions in Braille, too: nemeth or ueb")
+  verb->add_option("--braille", s->braille,
+                   "Expressions in Braille, too: nemeth or ueb; on paper for fingers (default there: ueb)")
       ->check(CLI::IsMember({"nemeth", "ueb"}))
       ->type_name("nemeth|ueb");
   verb->add_flag("--points", s->points, "List the points of interest");

@@ -23,7 +23,6 @@ namespace {
 using recording::RecordingEnd;
 using recording::RecordingReader;
 using recording::Recovery;
-using recording::SampleStatistics;
 
 struct RecordInfoSettings {
   std::string file;
@@ -79,14 +78,16 @@ std::string describe(const exchange::ReadRecording& report, const std::string& f
       "{}  {}\n"
       "start    {}\n"
       "device   {}, {:g} Hz{}\n"
-      "tablet   {}{:.1f} mm wide, {:.1f} mm deep\n"
+      "tablet   {}{:.1f} mm wide, {:.1f} mm deep{}\n"
       "{}"
       "clock    {} tick{} late, at most {:.3f} ms\n"
       "lost     {} while recording, {} damaged\n",
       file, state, report.start(), session.device.name, session.device.rate_hz,
       session.device.has_force ? "" : ", without force feedback",
       session.character.empty() ? "" : session.character + ", ", 1e3 * session.shape.width_m,
-      1e3 * session.shape.depth_m, statistics_text(report.samples, session.device.rate_hz), report.late_ticks,
+      1e3 * session.shape.depth_m,
+      session.tip_radius_m > 0 ? fmt::format(", felt by a ball of {:g} mm", 1e3 * session.tip_radius_m) : "",
+      statistics_text(report.samples, session.device.rate_hz), report.late_ticks,
       report.late_ticks == 1 ? "" : "s", 1e3 * report.max_lateness_s(), report.end.lost, report.end.damaged);
 }
 

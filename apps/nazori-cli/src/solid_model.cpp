@@ -27,14 +27,17 @@ base::Result<exchange::SolidModel> save_model(const practice::SolidPlate& plate,
 }
 
 std::string model_text(const exchange::SolidModel& made) {
-  std::string text =
+  const std::string text =
       fmt::format("{}  {}  {:.4g} x {:.4g} x {:.4g} mm, {} triangles within {:.3f} mm\n", made.subject,
                   made.file, made.width_mm, made.height_mm, made.thickness_mm, made.triangles, made.error_mm);
-  if (made.without_number.empty()) return text;
+  return text + without_number_text(made.without_number);
+}
+
+std::string without_number_text(const std::vector<int>& without_number) {
+  if (without_number.empty()) return {};
   std::string strokes;
-  for (const int stroke : made.without_number)
-    strokes += fmt::format("{}{}", strokes.empty() ? "" : ", ", stroke);
-  return text + fmt::format("no room for the numbers of strokes {}: a larger --size-mm has more\n", strokes);
+  for (const int stroke : without_number) strokes += fmt::format("{}{}", strokes.empty() ? "" : ", ", stroke);
+  return fmt::format("no room for the numbers of strokes {}: a larger --size-mm has more\n", strokes);
 }
 
 }  // namespace nazori::cli

@@ -20,4 +20,7 @@ namespace nazori::cli {
 /// The model in one line for people.
 [[nodiscard]] std::string model_text(const exchange::SolidModel& made);
 
+/// The strokes whose numbers found no room, in one line; empty where all did.
+[[nodiscard]] std::string without_number_text(const std::vector<int>& without_number);
+
 }  // namespace nazori::cli

@@ -14,6 +14,7 @@
 
 #include "characters.h"
 #include "json_answers.h"
+#include "named.h"
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
 #include "nazori/exchange/tablets.h"
@@ -114,13 +115,6 @@ base::Result<std::vector<CharacterName>> names_of(const WorksheetSettings& s, co
   return names;
 }
 
-/// The value of an enumeration with this name. The command line has checked that there is one.
-template <class Enum, std::size_t N>
-Enum named(const std::array<std::string_view, N>& names, const std::string& name, Enum otherwise) {
-  const auto at = std::find(names.begin(), names.end(), name);
-  return at == names.end() ? otherwise : static_cast<Enum>(at - names.begin());
-}
-
 void complete(WorksheetSettings& s) {
   s.sheet.layout = named(print::kLayoutNames, s.layout, print::Layout::practice);
   s.sheet.paper = named(print::kPaperNames, s.paper, print::Paper::a4);
@@ -178,8 +172,8 @@ int run(Console& console, WorksheetSettings s) {
 
 void add_worksheet(CLI::App& app, Action& chosen) {
   auto s = std::make_shared<WorksheetSettings>();
-  CLI::App* verb =
-      app.add_subcommand("worksheet", "Print worksheets, flash cards and manuscript paper (PDF)");
+  CLI::App* verb = app.add_subcommand(
+      "worksheet", "Print worksheets, flash cards, manuscript paper and sheets for the brush (PDF)");
   verb->add_option("characters", s->characters,
                    "Characters, such as 休, 休日, 正-HzFst (a variant form) or U+4F11");
   verb->add_option("-o,--output", s->output, "Output .pdf; - is standard output")
@@ -205,15 +199,14 @@ void add_worksheet(CLI::App& app, Action& chosen) {
   verb->add_flag("--hardest", s->hardest, "The learner's difficult characters")->group(which);
   const std::string how = "Layout";
   verb->add_option("--layout", s->layout,
-                   "practice (model, order, cells), quiz (words to write), cards (flash cards, two sides) or "
-                   "manuscript "
-                   "(genkouyoushi)")
-      ->check(CLI::IsMember({"practice", "quiz", "cards", "manuscript"}))
+                   "practice (model, order, cells), quiz (words to write), cards (flash cards, two sides), "
+                   "manuscript (genkouyoushi) or brush (large characters for the brush)")
+      ->check(CLI::IsMember({"practice", "quiz", "cards", "manuscript", "brush"}))
       ->capture_default_str()
       ->type_name("LAYOUT")
       ->group(how);
-  verb->add_option("--paper", s->paper, "a4, b5 or letter")
-      ->check(CLI::IsMember({"a4", "b5", "letter"}))
+  verb->add_option("--paper", s->paper, "a4, b5, letter or hanshi (243 x 334 mm)")
+      ->check(CLI::IsMember({"a4", "b5", "letter", "hanshi"}))
       ->capture_default_str()
       ->type_name("PAPER")
       ->group(how);
@@ -227,13 +220,20 @@ void add_worksheet(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->type_name("GUIDE")
       ->group(how);
-  verb->add_option("--rows", s->sheet.rows, "Rows of cells for each character")
+  verb->add_option("--rows", s->sheet.rows,
+                   "Rows of cells for each character; for the brush, sheets of the same characters")
       ->check(within(0, print::kMostRows))
       ->capture_default_str()
       ->type_name("N")
       ->group(how);
-  verb->add_option("--copies", s->sheet.copies, "Cells that show the character, fainter and fainter")
+  verb->add_option("--copies", s->sheet.copies,
+                   "Cells (for the brush, sheets) that show the character, fainter and fainter")
       ->check(within(0, print::kMostRows))
+      ->capture_default_str()
+      ->type_name("N")
+      ->group(how);
+  verb->add_option("--per-sheet", s->sheet.per_sheet, "Characters on a sheet for the brush: 1, 2, 4 or 6")
+      ->check(CLI::IsMember(print::kPerSheet))
       ->capture_default_str()
       ->type_name("N")
       ->group(how);
@@ -267,6 +267,7 @@ void add_worksheet(CLI::App& app, Action& chosen) {
   verb->footer(
       "Examples:\n  nazori-cli worksheet 休 永 --output 休永.pdf\n"
       "  nazori-cli worksheet --grade 1 --vertical --guide 米 --booklet --output grade-1.pdf\n"
+      "  nazori-cli worksheet 永 和 --layout brush --paper hanshi --per-sheet 2 --output brush.pdf\n"
       "  nazori-cli worksheet --text story.txt --layout quiz --answers --output quiz.pdf");
   verb->callback([s, &chosen] { chosen = [s](Console& console) { return run(console, *s); }; });
 }

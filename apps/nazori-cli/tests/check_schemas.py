@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 from jsonschema import Draft202012Validator
 
@@ -240,6 +241,8 @@ class Schemas(unittest.TestCase):
         self.answer("tablets#carve", "carve", "休木", "--output", self.folder.name, "--strokes", self.path("{}.str"),
                     "--size", "64")
         self.answer("tablets#model", "model", "鬱", "--raised", "--size-mm", "60", "--output", self.path("m.stl"))
+        for name in ("m.nc", "m.svg", "m.pdf", "m.brf"):
+            self.answer("tablets#touch_file", "model", "休", "--output", self.path(name))
         self.answer("tablets#worksheet", "worksheet", "休木", "--output", self.path("w.pdf"))
         self.answer("tablets#demo", "demo", "一", "--output", self.path("d.png"), "--size", "64", "--record",
                     self.path("d.nzr"))
@@ -247,6 +250,38 @@ class Schemas(unittest.TestCase):
         self.answer("tablets#record_export", "record", "export", self.path("d.nzr"), "--output", self.path("d.csv"))
         self.answer("tablets#paint", "paint", self.path("d.csv"), "--output", self.path("w.png"), "--cells", "128")
         self.answer("tablets#feel", "feel", "一", "--input", self.path("d.csv"), "--output", self.path("f.csv"))
+
+    def test_sheets_read_back(self):
+        pdf, photo = self.path("s.pdf"), self.path("s.png")
+        self.run_verb("worksheet", "一", "--copies", "0", "--output", pdf)
+        page = subprocess.run(["pdftoppm", "-r", "100", "-gray", pdf], capture_output=True, check=True).stdout
+        width, height = map(int, page.split(None, 3)[1:3])
+        pixels = bytearray(page[-width * height:])
+        (empty,) = self.answer("sheets#grade_sheet", "grade-sheet", self.picture(photo, width, height, pixels))
+        # A short bar in the first cell, and a cross in the second.
+        for cell, lines in ((0, ((0.3, 0.5, 0.7, 0.53),)), (1, ((0.1, 0.48, 0.9, 0.52), (0.48, 0.1, 0.52, 0.9)))):
+            left, top = empty["sheets"][0]["cells"][cell]["corners"][0]
+            right, low = empty["sheets"][0]["cells"][cell]["corners"][2]
+            for x0, y0, x1, y1 in lines:
+                for y in range(int(top + y0 * (low - top)), int(top + y1 * (low - top)) + 1):
+                    for x in range(int(left + x0 * (right - left)), int(left + x1 * (right - left)) + 1):
+                        pixels[y * width + x] = 20
+        (read,) = self.answer("sheets#grade_sheet", "grade-sheet", self.picture(photo, width, height, pixels))
+        cells = read["sheets"][0]["cells"]
+        self.assertEqual([cell["state"] for cell in cells[:3]], ["legible", "illegible", "empty"])
+        self.assertEqual([remark["flaw"] for remark in cells[0]["remarks"]], ["small"])
+        self.assertEqual(cells[1]["looks_like"], "十")
+
+    @staticmethod
+    def picture(path, width, height, pixels):
+        """Grey pixels as a PNG picture."""
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        rows = b"".join(b"\0" + bytes(pixels[y * width:(y + 1) * width]) for y in range(height))
+        with open(path, "wb") as file:
+            file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
+                       + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+        return path
 
     def test_pictures(self):
         self.answer("tablets#render", "render", "休", "--output", self.path("b.png"), "--size", "64x32")

@@ -133,9 +133,10 @@ TEST(Messages, HelpListsAllVerbsUnderOneHeading) {
   ASSERT_NE(verbs, std::string::npos);
   EXPECT_THAT(help, Not(HasSubstr("SUBCOMMAND")));
   EXPECT_THAT(help, Not(HasSubstr("Subcommands")));
-  for (const char* verb : {"info",     "search", "carve",  "render",    "model",      "plot",   "demo",
-                           "feel",     "paint",  "record", "devices",   "database",   "grade",  "recognise",
-                           "practise", "speak",  "study",  "worksheet", "completion", "manual", "help"})
+  for (const char* verb :
+       {"info",  "search",    "carve",       "render",     "model",  "plot",      "demo",     "feel",
+        "paint", "record",    "devices",     "database",   "grade",  "recognise", "practise", "speak",
+        "study", "worksheet", "grade-sheet", "completion", "manual", "help"})
     EXPECT_NE(help.find(std::string("\n  ") + verb + " ", verbs), std::string::npos) << verb;
 }
 
@@ -157,6 +158,7 @@ TEST(Messages, QuietIsTakenByEveryVerb) {
                                                                                     {"render"},
                                                                                     {"model"},
                                                                                     {"worksheet"},
+                                                                                    {"grade-sheet"},
                                                                                     {"plot"},
                                                                                     {"demo"},
                                                                                     {"feel"},

@@ -112,11 +112,129 @@ TEST(Model, WhatCannotBeMadeIsRefusedInOneLine) {
   expect_one_line(nazori_cli({"model", "-o", folder / "a.stl"}), 2, {"either characters or your own"});
   expect_one_line(nazori_cli({"model", "休", "--strokes", "a.str", "-o", folder / "a.stl"}), 2,
                   {"either characters or your own"});
-  expect_one_line(nazori_cli({"model", "休", "-o", folder / "a.obj"}), 2, {"a.obj", ".stl or .3mf"});
+  expect_one_line(nazori_cli({"model", "休", "-o", folder / "a.obj"}), 2, {"a.obj", ".svg or .nc"});
   expect_one_line(nazori_cli({"model", "休", "--depth-mm", "6", "-o", folder / "a.stl"}), 2, {"weaken"});
   expect_one_line(nazori_cli({"model", "休", "--size-mm", "9", "-o", folder / "a.stl"}), 2,
                   {"--size-mm", "10..500"});
   EXPECT_THAT(folder.names(), ElementsAre());
+}
+
+std::string text_of(const std::string& file) {
+  const auto bytes = bytes_of(file);
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(Model, TheNameOfTheFileChoosesTheMachine) {
+  const TemporaryFolder folder;
+  const auto made = [&](const std::string& name, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"model", "休", "--json", "--output", folder / name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = nazori_cli(arguments);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return nlohmann::json::parse(run.out);
+  };
+  const auto mill = made("a.nc", {"--size-mm", "60", "--cutter-mm", "2", "--feed", "600"});
+  EXPECT_EQ(mill["kind"], "mill");
+  EXPECT_GT(mill["deepest_mm"].get<double>(), 1);
+  EXPECT_LE(mill["deepest_mm"].get<double>(), 3);
+  const std::string program = text_of(folder / "a.nc");
+  EXPECT_TRUE(program.starts_with("(Nazori U+4F11)\n"));
+  EXPECT_THAT(program, HasSubstr(" F600\n"));
+  EXPECT_EQ(made("a.svg", {"--layers", "4"})["kind"], "laser");
+  EXPECT_THAT(text_of(folder / "a.svg"), HasSubstr("id=\"layer-4\""));
+  EXPECT_EQ(made("a.pdf", {"--paper", "letter"})["kind"], "swell-paper");
+  EXPECT_TRUE(text_of(folder / "a.pdf").starts_with("%PDF"));
+  EXPECT_EQ(made("a.brf")["kind"], "embosser");
+  const std::string pages = text_of(folder / "a.brf");
+  EXPECT_THAT(pages, HasSubstr("#F*%\r\n"));  // 6かく
+  made("b.brf", {"--no-label"});
+  EXPECT_THAT(text_of(folder / "b.brf"), testing::Not(HasSubstr("#F*%")));
+}
+
+TEST(Model, BrailleIsContractedWhereAskedFor) {
+  const TemporaryFolder folder;
+  const auto embossed = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"model", "休", "--output", folder / "a.brf"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome run = nazori_cli(words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return text_of(folder / "a.brf");
+  };
+  // The first meaning of 休 is "rest". Contracted, st is one cell: / in ASCII braille.
+  EXPECT_THAT(embossed({}), HasSubstr("\r\nREST  "));
+  EXPECT_THAT(embossed({"--braille", "uncontracted"}), HasSubstr("\r\nREST  "));
+  EXPECT_THAT(embossed({"--braille", "contracted"}), HasSubstr("\r\nRE/  "));
+  expect_one_line(nazori_cli({"model", "休", "-o", folder / "b.brf", "--braille", "nemeth"}), 2,
+                  {"--braille", "contracted"});
+  // A full cell (=) stands where each of the six strokes starts.
+  const std::string dots = embossed({"--no-label"});
+  EXPECT_EQ(std::count(dots.begin(), dots.end(), '='), 6);
+  const std::string bare = embossed({"--no-label", "--no-start-dots"});
+  EXPECT_EQ(std::count(bare.begin(), bare.end(), '='), 0);
+}
+
+TEST(Model, AStandIsMadeForThePlate) {
+  const TemporaryFolder folder;
+  const Outcome run = nazori_cli(
+      {"model", "一", "--size-mm", "60", "--output", folder / "a.stl", "--stand", folder / "feet.stl"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("two feet"));
+  EXPECT_NEAR(solid_of(folder / "feet.stl").size[2], 10, 1e-4);
+  // A stand changes nothing of the plate.
+  EXPECT_EQ(nazori_cli({"model", "一", "--size-mm", "60", "--output", folder / "alone.stl"}).code, 0);
+  EXPECT_EQ(text_of(folder / "alone.stl"), text_of(folder / "a.stl"));
+  // The feet are for a plate of 6 mm, and a thicker one has wider feet.
+  EXPECT_EQ(nazori_cli({"model", "一", "--size-mm", "60", "--thickness-mm", "12", "--output",
+                        folder / "b.stl", "--stand", folder / "wide.stl", "--json"})
+                .code,
+            0);
+  EXPECT_GT(solid_of(folder / "wide.stl").size[0], solid_of(folder / "feet.stl").size[0] + 5);
+  expect_one_line(nazori_cli({"model", "一", "-o", folder / "a.pdf", "--stand", folder / "b.stl"}), 2,
+                  {"--stand", ".stl or .3mf"});
+}
+
+TEST(Model, TabletsStandInRows) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(nazori_cli({"model", "一", "二", "三", "--size-mm", "30", "--columns", "2", "--gap-mm", "10",
+                        "--no-hole", "-o", folder / "a.stl"})
+                .code,
+            0);
+  const Solid solid = solid_of(folder / "a.stl");
+  EXPECT_NEAR(solid.size[0], 82, 0.3);
+  EXPECT_NEAR(solid.size[1], 82, 0.3);
+  expect_one_line(nazori_cli({"model", "一", "二", "--vertical", "--columns", "2", "-o", folder / "b.stl"}),
+                  2, {"--columns"});
+}
+
+TEST(Model, APlotIsMadeForPaperThatFingersRead) {
+  const TemporaryFolder folder;
+  const auto plot = [&](const std::string& name, std::vector<std::string> more = {},
+                        const std::string& expression = "y = sin(x)") {
+    std::vector<std::string> words{"plot", expression, "--window=-4,4,-4,4", "--model", folder / name};
+    words.insert(words.end(), more.begin(), more.end());
+    return nazori_cli(words);
+  };
+  EXPECT_EQ(plot("a.brf", {"--columns-braille", "30", "--lines-braille", "20"}).code, 0);
+  const std::string page = text_of(folder / "a.brf");
+  EXPECT_EQ(std::count(page.begin(), page.end(), '\n'), 20);
+  EXPECT_THAT(page, HasSubstr("-#D"));
+  EXPECT_TRUE(page.ends_with("\r\n\f"));
+  EXPECT_EQ(plot("n.brf", {"--braille", "nemeth"}, "y = x").code, 0);
+  EXPECT_EQ(plot("u.brf", {"--braille", "ueb"}, "y = x").code, 0);
+  EXPECT_EQ(plot("d.brf", {}, "y = x").code, 0);
+  EXPECT_EQ(text_of(folder / "d.brf"), text_of(folder / "u.brf"));
+  EXPECT_NE(text_of(folder / "n.brf"), text_of(folder / "u.brf"));
+
+  EXPECT_EQ(plot("a.pdf", {"--paper", "b5", "--model-size-mm", "90"}).code, 0);
+  EXPECT_TRUE(text_of(folder / "a.pdf").starts_with("%PDF"));
+  // Parallels a third of a unit apart: one unit is 15 mm.
+  const Outcome close = plot("c.pdf", {}, "y = 1; y = 4/3");
+  EXPECT_EQ(close.code, 0);
+  EXPECT_THAT(close.out, HasSubstr("lines run 5.0 mm apart"));
+  EXPECT_THAT(close.out, HasSubstr("1.28 times"));
+  expect_one_line(plot("a.pdf", {"--model-size-mm", "200"}), 2, {"200 mm", "40 to 139 mm"});
+  expect_one_line(plot("s.pdf", {}, "z = x y"), 2, {"--model", "surface", ".stl"});
+  expect_one_line(plot("a.nc"), 2, {"--model", ".brf"});
 }
 
 TEST(Model, APlotIsRaisedWithItsAxes) {

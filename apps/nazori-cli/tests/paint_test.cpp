@@ -49,6 +49,31 @@ TEST(Paint, ATrajectoryBecomesALineOfItsLength) {
   EXPECT_GT(std::filesystem::file_size(folder / "p.png"), 1000U);
 }
 
+TEST(Paint, TheOutputIsStrokesOrAPageAsItsNameSays) {
+  const TemporaryFolder folder;
+  const std::string script = write(folder / "line.csv", line_csv(1));
+  const auto bytes = [](const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const auto paint = [&](const std::string& output) {
+    const Outcome run = nazori_cli({"paint", script, "--output", output, "--cells", "256", "--after", "0"});
+    EXPECT_EQ(run.code, 0) << run.err;
+  };
+  paint(folder / "p.svg");
+  const std::string svg = bytes(folder / "p.svg");
+  EXPECT_THAT(svg, HasSubstr("viewBox=\"0 0 102.4 102.4\""));
+  EXPECT_THAT(svg, HasSubstr("<path id=\"stroke-1\""));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("stroke-2")));
+  paint(folder / "p.pdf");
+  const std::string pdf = bytes(folder / "p.pdf");
+  EXPECT_THAT(pdf, testing::StartsWith("%PDF-"));
+  EXPECT_THAT(pdf, HasSubstr("/Width 256 /Height 256"));
+  const Outcome refused = nazori_cli({"paint", script, "--output", folder / "p.gif"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr(".png or .svg or .pdf"));
+}
+
 TEST(Paint, AFastStrokeLeavesLessInkThanASlowOne) {
   const TemporaryFolder folder;
   const auto slow = painted(folder, write(folder / "slow.csv", line_csv(2)), {"--load", "0.4"});

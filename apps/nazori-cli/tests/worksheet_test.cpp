@@ -59,6 +59,19 @@ TEST(Worksheet, ManuscriptPaperHoldsTheWholeText) {
   for (const char* part : {"春", "ぼ", "。"}) EXPECT_THAT(text, HasSubstr(part));
 }
 
+TEST(Worksheet, BrushSheetsHaveTheSizeOfHanshiAndFewCharacters) {
+  const TemporaryFolder folder;
+  const Outcome run = nazori_cli({"worksheet", "永和心", "--layout", "brush", "--paper", "hanshi",
+                                  "--per-sheet", "2", "--rows", "1", "-o", folder / "a.pdf"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const std::string about = shell("pdfinfo '" + folder / "a.pdf" + "'").out;
+  EXPECT_THAT(about, HasSubstr("688.82 x 946.77 pts"));  // 243 x 334 mm
+  EXPECT_THAT(about, testing::ContainsRegex("Pages: +2\n"));
+  expect_one_line(
+      nazori_cli({"worksheet", "永", "--layout", "brush", "--per-sheet", "3", "-o", folder / "b.pdf"}), 2,
+      {"--per-sheet"});
+}
+
 TEST(Worksheet, AListOfStudyCanBePrinted) {
   const TemporaryFolder folder;
   const Outcome run = nazori_cli({"worksheet", "--list", "hiragana", "--no-facts", "--learners",

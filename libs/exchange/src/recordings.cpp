@@ -38,6 +38,7 @@ Value to_json(const ReadRecording& read, const std::string& file) {
              {"character", session.character},
              {"tablet_width_m", session.shape.width_m},
              {"tablet_depth_m", session.shape.depth_m},
+             {"tip_radius_m", session.tip_radius_m},
              {"lost", read.end.lost},
              {"damaged", read.end.damaged},
              {"gaps", read.gaps},

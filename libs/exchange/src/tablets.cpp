@@ -81,6 +81,24 @@ Value to_json(const SolidModel& model) {
           {"strokes_without_number", model.without_number}};
 }
 
+Value to_json(const MadeTouchFile& made) {
+  Value json{{"subject", made.subject},
+             {"file", made.file},
+             {"kind", made.kind},
+             {"width_mm", made.width_mm},
+             {"height_mm", made.height_mm},
+             {"pages", made.pages},
+             {"strokes_without_number", made.without_number}};
+  if (made.closest_mm > 0) json["closest_mm"] = made.closest_mm;
+  if (made.milling) {
+    json["passes"] = made.milling->passes;
+    json["deepest_mm"] = made.milling->deepest_mm;
+    json["cut_length_mm"] = made.milling->cut_length_mm;
+    json["minutes"] = made.milling->minutes;
+  }
+  return json;
+}
+
 Value to_json(const PrintedSheet& sheet) {
   return {{"file", sheet.file},
           {"layout", sheet.layout},
@@ -138,8 +156,13 @@ double FeltMotion::real_time_factor() const {
 }
 
 Value to_json(const FeltMotion& felt) {
-  Value json{{"subject", felt.subject}, {"mode", felt.mode},   {"device", felt.device},
-             {"rate_hz", felt.rate_hz}, {"input", felt.input}, {"output", felt.output}};
+  Value json{{"subject", felt.subject},
+             {"mode", felt.mode},
+             {"device", felt.device},
+             {"rate_hz", felt.rate_hz},
+             {"tip_radius_m", felt.tip_radius_m},
+             {"input", felt.input},
+             {"output", felt.output}};
   json.update(to_json(felt.samples));
   json["late_ticks"] = felt.timing.late_ticks;
   json["missed_ticks"] = felt.timing.missed_ticks;

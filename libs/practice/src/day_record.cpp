@@ -35,7 +35,6 @@ base::Result<WritingRecord> writing_record(const study::LearnerStore& store, stu
   WritingRecord record;
   record.first = first;
   record.last = last;
-  std::set<char32_t> characters;
   std::set<char32_t> fresh;
   const auto studied = store.study_days();
   if (!studied) return tl::unexpected(studied.error());
@@ -47,26 +46,18 @@ base::Result<WritingRecord> writing_record(const study::LearnerStore& store, stu
     const auto introduced = store.introduced_on(day.day);
     if (!introduced) return tl::unexpected(introduced.error());
     fresh.insert(introduced->begin(), introduced->end());
-    if (day.reviews == 0) continue;
-    ++record.study_days;
-    const auto reviewed = store.reviewed_on(day.day);
-    if (!reviewed) return tl::unexpected(reviewed.error());
-    characters.insert(reviewed->begin(), reviewed->end());
+    if (day.reviews > 0) ++record.study_days;
   }
   std::map<char32_t, int> refused;
-  for (const char32_t character : characters) {
-    const auto all = store.writings_of(character, first, last);
-    if (!all) return tl::unexpected(all.error());
-    for (const auto& logged : *all) {
-      const auto& entry = logged.entry;
-      if (entry.writing.stage != study::Stage::memory) continue;
-      const bool is_right = entry.writing.result.accepted;
-      record.writings.push_back({entry.id, character, is_right, logged.has_ink});
-      if (!is_right) ++refused[character];
-    }
+  const auto all = store.writings_on(first, last);
+  if (!all) return tl::unexpected(all.error());
+  for (const auto& logged : *all) {
+    const auto& entry = logged.entry;
+    if (entry.writing.stage != study::Stage::memory) continue;
+    const bool is_right = entry.writing.result.accepted;
+    record.writings.push_back({entry.id, entry.character, is_right, logged.has_ink});
+    if (!is_right) ++refused[entry.character];
   }
-  std::sort(record.writings.begin(), record.writings.end(),
-            [](const RecordedWriting& a, const RecordedWriting& b) { return a.entry < b.entry; });
   for (const auto& one : record.writings) {
     if (fresh.erase(one.character) > 0) record.fresh.push_back(one.character);
     if (refused.contains(one.character) &&

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/practice/solid_maker.h"
 
+#include <functional>
 #include <utility>
 
+#include "nazori/base/file.h"
 #include "nazori/base/latest.h"
+#include "nazori/practice/touch_plot.h"
 
 namespace nazori::practice {
 namespace {
@@ -23,9 +26,33 @@ base::Result<SolidView> view_of(const SolidRequest& request) {
   return view;
 }
 
+base::Result<void> write_touch(const TouchRequest& request, const std::filesystem::path& path) {
+  const TouchMachines& machines = request.machines;
+  const auto file =
+      request.plot ? plot_touch_file(request.kind, request.plot->request.plot, request.plot->picture,
+                                     {request.settings.plate.side_mm, machines.paper, machines.embosser})
+                   : touch_file(request.kind, request.tablets, request.settings, machines, request.subject);
+  if (!file) return tl::unexpected(file.error());
+  return base::write_file(path, file->content);
+}
+
 }  // namespace
 
 struct SolidMaker::Inside {
+  /// Writes on the other thread and tells how it went.
+  void post(SolidMaker& maker, const std::filesystem::path& path,
+            std::function<base::Result<void>()> write) const {
+    background->post([&maker, &to = *background, path, write = std::move(write)] {
+      const auto written = write();
+      to.answer([&maker, path, written] {
+        if (written)
+          maker.saved(path);
+        else
+          maker.not_saved(path, written.error());
+      });
+    });
+  }
+
   Inside(SolidMaker& maker, base::Inbox& inbox)
       : background(std::make_shared<base::Background>("solids", inbox)),
         views(
@@ -49,16 +76,12 @@ void SolidMaker::show(SolidRequest request) { inside_->views.request(std::move(r
 
 void SolidMaker::save(std::shared_ptr<const Solid> solid, const std::filesystem::path& path,
                       const std::string& subject) {
-  base::Background& background = *inside_->background;
-  background.post([this, &background, solid = std::move(solid), path, subject] {
-    const auto written = save_solid(*solid, path, subject);
-    background.answer([this, path, written] {
-      if (written)
-        saved(path);
-      else
-        not_saved(path, written.error());
-    });
-  });
+  inside_->post(*this, path,
+                [solid = std::move(solid), path, subject] { return save_solid(*solid, path, subject); });
+}
+
+void SolidMaker::save(TouchRequest request, const std::filesystem::path& path) {
+  inside_->post(*this, path, [request = std::move(request), path] { return write_touch(request, path); });
 }
 
 }  // namespace nazori::practice

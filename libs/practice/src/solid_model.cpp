@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "file_ending.h"
 #include "nazori/base/file.h"
 #include "nazori/functions/plate.h"
 #include "nazori/functions/tablet_curves.h"
@@ -84,13 +85,10 @@ base::Result<SolidPlate> tablet_plate(std::span<const SolidTablet> tablets, cons
   return finished(*std::move(plate), kGroovedTolerance_mm, {});
 }
 
-base::Result<SolidPlate> plot_plate(const functions::Plot& plot, const functions::Picture& picture,
-                                    double side_mm, bool mould) {
+model::RaisedPlot raised_plot_of(const functions::Plot& plot, const functions::Picture& picture) {
   constexpr int kStyles = 3;
   const functions::Window& w = picture.tracing.window;
   model::RaisedPlot raised;
-  model::RaisedPlotSettings settings;
-  settings.side_mm = side_mm;
   raised.x_ticks = ticks_of(w.x0, w.x1);
   raised.y_ticks = ticks_of(w.y0, w.y1);
   if (w.y0 <= 0 && w.y1 >= 0) raised.x_axis = w.v(0);
@@ -110,7 +108,14 @@ base::Result<SolidPlate> plot_plate(const functions::Plot& plot, const functions
       raised.curves.push_back(std::move(line));
     }
   }
-  auto plate = model::raised_plot(raised, settings);
+  return raised;
+}
+
+base::Result<SolidPlate> plot_plate(const functions::Plot& plot, const functions::Picture& picture,
+                                    double side_mm, bool mould) {
+  model::RaisedPlotSettings settings;
+  settings.side_mm = side_mm;
+  auto plate = model::raised_plot(raised_plot_of(plot, picture), settings);
   if (!plate) return tl::unexpected(std::move(plate.error()));
   return SolidPlate{mould ? model::mould_of(*plate) : *std::move(plate), kRaisedTolerance_mm, {}};
 }
@@ -133,10 +138,7 @@ base::Result<Solid> solid_of(const SolidPlate& plate) {
 
 base::Result<void> save_solid(const Solid& solid, const std::filesystem::path& path,
                               const std::string& subject) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (extension != ".3mf") return base::write_file(path, model::to_stl(solid.mesh));
+  if (file_ending(path) != ".3mf") return base::write_file(path, model::to_stl(solid.mesh));
   const auto packed = model::to_3mf(solid.mesh, subject);
   if (!packed) return tl::unexpected(packed.error());
   return base::write_file(path, *packed);

@@ -34,7 +34,9 @@ TabletControl::TabletControl(base::Inbox& inbox, const base::Clock& clock,
       changed_(device_.changed.connect([this] {
         if (guides_ && guides_->leading) hand_over_scene();
         send();
-      })) {
+      })),
+      felt_(inbox) {
+  felt_.changed.connect([this] { hand_over_scene(); });
   pointer_.in_range = false;
 }
 
@@ -53,6 +55,7 @@ std::chrono::milliseconds TabletControl::pump_period() const {
 void TabletControl::set_tablet(std::shared_ptr<const tablet::CarvedTablet> carved) {
   pump();
   tablet_ = std::move(carved);
+  felt_.set_tablet(tablet_);
   current_ = 0;
   led_from_ = 1;
   ++led_times_;
@@ -187,7 +190,7 @@ void TabletControl::hand_over_scene() {
     guiding.stroke = led_from_;
     guiding.attempt = led_times_;
   }
-  device_.set_scene(tablet_->scene(material_, snap, guiding));
+  device_.set_scene(felt_.felt()->scene(material_, snap, guiding));
 }
 
 void TabletControl::set_slope_help(bool on) { change(slope_help_, on, false); }

@@ -46,13 +46,14 @@ void TabletRecording::tick() {
 }
 
 base::Result<void> TabletRecording::start(const Path& path, const std::string& character,
-                                          const geometry::TabletShape& shape) {
+                                          const geometry::TabletShape& shape, double tip_radius_m) {
   if (recorder_) {
     const Path before = path_;
     if (const auto ended = finish(); !ended) failed(before, ended.error());
   }
   session_.character = character;
   session_.shape = shape;
+  session_.tip_radius_m = tip_radius_m;
   first_path_ = path;
   auto begun = begin(path);
   changed();

@@ -59,6 +59,10 @@ WorksheetChoice load_choice(const base::Settings& settings, WorksheetChoice choi
   sheet.rows = static_cast<int>(base::number_setting(settings, "rows", sheet.rows, 0, print::kMostRows));
   sheet.copies =
       static_cast<int>(base::number_setting(settings, "copies", sheet.copies, 0, print::kMostRows));
+  const int per_sheet = static_cast<int>(base::number_setting(
+      settings, "per_sheet", sheet.per_sheet, print::kPerSheet.front(), print::kPerSheet.back()));
+  if (std::find(print::kPerSheet.begin(), print::kPerSheet.end(), per_sheet) != print::kPerSheet.end())
+    sheet.per_sheet = per_sheet;
   for (const Flag& flag : kFlags)
     sheet.*flag.value = base::flag_setting(settings, flag.key, sheet.*flag.value);
   if (settings.contains("title")) sheet.title = base::text_setting(settings, "title");
@@ -80,6 +84,7 @@ void save_choice(base::Settings& settings, const WorksheetChoice& choice) {
   base::set_number(settings, "cell_mm", sheet.cell_mm);
   base::set_number(settings, "rows", sheet.rows);
   base::set_number(settings, "copies", sheet.copies);
+  base::set_number(settings, "per_sheet", sheet.per_sheet);
   for (const Flag& flag : kFlags) base::set_flag(settings, flag.key, sheet.*flag.value);
   settings["title"] = sheet.title;
 }

@@ -40,6 +40,7 @@ TEST(WorksheetChoices, AreStoredAndReadBack) {
   sheet.cell_mm = 22.5;
   sheet.rows = 3;
   sheet.copies = 7;
+  sheet.per_sheet = 6;
   sheet.whole_page = true;
   sheet.vertical = true;
   sheet.steps = false;

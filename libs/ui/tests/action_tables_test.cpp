@@ -307,6 +307,8 @@ brush_new Ctrl+N
 brush_paper P
 -
 brush_describe S
+*brush_advice J
+-
 brush_png Ctrl+E
 brush_carve Ctrl+Shift+C
 -

@@ -416,6 +416,26 @@ TEST_F(Feel, WhatSlidesIsNeverHeldMoreThanWhatRests) {
   EXPECT_EQ(text("material_dynamic_friction_value"), QStringLiteral("0.10"));
 }
 
+TEST_F(Feel, TheRadiusOfTheBallIsSetInTenthsOfAMillimetreFromAPointTo3) {
+  QSignalSpy told(&panel_, &FeelPanel::tip_changed);
+  auto* slider = find<QSlider>("tip_radius");
+  EXPECT_EQ(slider->accessibleName(), QStringLiteral("Radius of the ball"));
+  EXPECT_EQ(text("tip_radius_value"), QStringLiteral("0.0 mm"));
+  EXPECT_EQ(slider->maximum(), 30);
+  panel_.show_tip(0.0017);
+  EXPECT_EQ(text("tip_radius_value"), QStringLiteral("1.7 mm"));
+  EXPECT_EQ(told.count(), 0) << "it is what is set already";
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_Right);
+  ASSERT_EQ(told.count(), 1);
+  EXPECT_NEAR(told.back().at(0).toDouble(), 0.0018, 1e-12);
+  QTest::keyClick(slider, Qt::Key_End);
+  EXPECT_NEAR(told.back().at(0).toDouble(), 0.003, 1e-12);
+  QTest::keyClick(slider, Qt::Key_Home);
+  EXPECT_EQ(told.back().at(0).toDouble(), 0);
+  EXPECT_TRUE(told_.empty()) << "the material is the same";
+}
+
 TEST_F(Feel, TheTrialIsThereWithForceOnlyAndSaysHowStrongItIs) {
   const auto* words = find<QLabel>("strength");
   panel_.show_strength(0.295, true);

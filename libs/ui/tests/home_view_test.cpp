@@ -377,6 +377,21 @@ TEST_F(HomeViewTest, NoWordIsCutOffInANarrowWindowWithTheLargestText) {
   EXPECT_EQ(clipped(740, 500), QStringList());
 }
 
+TEST_F(HomeViewTest, TheButtonToPressNextIsWholeInASmallWindowWithTheLargestText) {
+  QFont large = view_.font();
+  large.setPointSizeF(28);
+  view_.setFont(large);
+  learn_from({U'休', U'駅', U'湖', U'港', U'暑'}, 5);
+  // What a window of 800 x 600 leaves to the page.
+  view_.resize(708, 312);
+  view_.show();
+  view_.refresh();
+  QCoreApplication::sendPostedEvents();
+  QCoreApplication::processEvents();
+  const auto* start = button("home_start");
+  EXPECT_LE(start->mapTo(&view_, QPoint(0, start->height())).y(), view_.viewport()->height());
+}
+
 TEST_F(HomeViewTest, TheButtonToPressNextIsIndigoInBothThemes) {
   const QPalette before = QApplication::palette();
   for (const auto* colours : {&light_colours(), &dark_colours()}) {

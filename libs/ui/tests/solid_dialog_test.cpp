@@ -4,9 +4,13 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSpinBox>
+#include <QTimer>
 #include <QtEndian>
 #include <cstring>
 
@@ -136,6 +140,109 @@ TEST_F(SolidDialogTest, AThreeMfAndTheChoiceAreSaved) {
   EXPECT_EQ(part<QComboBox>("solid_kind")->currentIndex(), 1);
 }
 
+TEST_F(SolidDialogTest, MachinesGetTheirFiles) {
+  const auto saved = [this](const QString& name) {
+    open_dialog();
+    const QString path = folder_.filePath(name);
+    dialog_->save(path);
+    EXPECT_TRUE(wait_for_end());
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
+    return QString::fromUtf8(file.readAll());
+  };
+  EXPECT_TRUE(saved(QStringLiteral("休.PDF")).startsWith(QStringLiteral("%PDF-")));
+  const QString braille = saved(QStringLiteral("休.brf"));
+  EXPECT_TRUE(braille.contains(QStringLiteral("REST"), Qt::CaseInsensitive)) << braille.toStdString();
+  const QString laser = saved(QStringLiteral("休.svg"));
+  EXPECT_TRUE(laser.contains(QStringLiteral("<svg")));
+  EXPECT_TRUE(laser.contains(QStringLiteral("width=\"112."))) << "raised lines are cut as grooves, too";
+  EXPECT_TRUE(saved(QStringLiteral("休.nc")).contains(QStringLiteral("G21")));
+}
+
+TEST_F(SolidDialogTest, MachinesThatCutAreOfferedForGroovesAndPaperForRaisedLines) {
+  open_dialog();
+  const auto offered = [this] {
+    QStringList kinds;
+    QTimer::singleShot(0, qApp, [&] {
+      auto* files = find<QFileDialog>("solid_file_dialog");
+      ASSERT_NE(files, nullptr);
+      for (const QString& filter : files->nameFilters())
+        kinds << filter.section(QLatin1Char('.'), -1).remove(QLatin1Char(')'));
+      files->reject();
+    });
+    part<QPushButton>("solid_save")->click();
+    return kinds.join(QLatin1Char(' '));
+  };
+  EXPECT_EQ(offered(), QStringLiteral("3mf stl pdf brf"));
+  change([this] { part<QComboBox>("solid_kind")->setCurrentIndex(1); });
+  EXPECT_EQ(offered(), QStringLiteral("3mf stl nc svg"));
+}
+
+TEST_F(SolidDialogTest, FilesAreMadeForTheMachinesThatWereChosen) {
+  const auto saved = [this](const QString& name) {
+    const QString path = folder_.filePath(name);
+    dialog_->save(path);
+    EXPECT_TRUE(wait_for_end());
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
+    return QString::fromUtf8(file.readAll());
+  };
+  open_dialog();
+  EXPECT_FALSE(part<QSpinBox>("solid_layers")->isVisible());
+  EXPECT_TRUE(part<QComboBox>("solid_paper")->isVisible());
+  part<QComboBox>("solid_english")->setCurrentIndex(1);
+  EXPECT_TRUE(saved(QStringLiteral("a.brf")).contains(QStringLiteral("\nRE/  ")));  // rest, with its st
+  open_dialog();
+  EXPECT_EQ(part<QComboBox>("solid_english")->currentIndex(), 1);
+  part<QComboBox>("solid_paper")->setCurrentIndex(2);
+  EXPECT_TRUE(saved(QStringLiteral("a.pdf")).contains(QStringLiteral("612"))) << "Letter is 612 points wide";
+  open_dialog();
+  change([this] { part<QComboBox>("solid_kind")->setCurrentIndex(1); });
+  EXPECT_FALSE(part<QComboBox>("solid_paper")->isVisible());
+  part<QSpinBox>("solid_layers")->setValue(4);
+  const QString laser = saved(QStringLiteral("a.svg"));
+  EXPECT_TRUE(laser.contains(QStringLiteral("id=\"layer-4\"")));
+  EXPECT_FALSE(laser.contains(QStringLiteral("id=\"layer-5\"")));
+  open_dialog();
+  EXPECT_EQ(part<QSpinBox>("solid_layers")->value(), 4);
+  part<QDoubleSpinBox>("solid_cutter")->setValue(1);
+  part<QDoubleSpinBox>("solid_pass")->setValue(0.5);
+  change([this] { part<QDoubleSpinBox>("solid_depth")->setValue(2); });
+  const QString mill = saved(QStringLiteral("a.nc"));
+  const auto deepest = [&mill] {
+    double lowest = 0;
+    const QStringList words = mill.split(QRegularExpression(QStringLiteral("\\s")));
+    for (const QString& word : words)
+      if (word.startsWith(QLatin1Char('Z'))) lowest = std::min(lowest, word.mid(1).toDouble());
+    return lowest;
+  };
+  EXPECT_NEAR(deepest(), -2, 0.1);
+}
+
+TEST_F(SolidDialogTest, MachinesHaveTheRangesOfTheCommandLine) {
+  open_dialog();
+  const auto range = [this](const char* name) {
+    const auto* spin = part<QDoubleSpinBox>(name);
+    return std::pair(spin->minimum(), spin->maximum());
+  };
+  EXPECT_EQ(range("solid_cutter"), std::pair(0.2, 20.0));
+  EXPECT_EQ(range("solid_pass"), std::pair(0.05, 50.0));
+  EXPECT_EQ(part<QSpinBox>("solid_layers")->minimum(), 1);
+  EXPECT_EQ(part<QSpinBox>("solid_layers")->maximum(), 64);
+  EXPECT_EQ(part<QComboBox>("solid_paper")->count(), 3);
+}
+
+TEST_F(SolidDialogTest, APageThatIsTooSmallIsSaidAndNothingIsSaved) {
+  open_dialog();
+  change([this] { part<QSpinBox>("solid_size")->setValue(250); });
+  const QString path = folder_.filePath(QStringLiteral("large.pdf"));
+  dialog_->save(path);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return words().startsWith(QStringLiteral("✗ large.pdf: ")); }, 20000))
+      << words().toStdString();
+  EXPECT_FALSE(QFile::exists(path));
+  EXPECT_TRUE(part<QPushButton>("solid_save")->isEnabled());
+}
+
 TEST_F(SolidDialogTest, AFileThatCannotBeWrittenLeavesTheDialogOpen) {
   open_dialog();
   dialog_->save(folder_.filePath(QStringLiteral("missing/a.stl")));
@@ -167,6 +274,33 @@ TEST_F(SolidOfPlotTest, APlotHasItsOwnSizeAndNoStrokes) {
   const Stl stl = stl_of(file);
   EXPECT_NEAR(stl.thickness, 4, 0.02);
   EXPECT_GT(stl.width, 120 + 20);  // with the numbers beside it
+}
+
+TEST_F(SolidOfPlotTest, APlotIsSavedForPaper) {
+  const auto saved = [this](const QString& name) {
+    open_dialog();
+    EXPECT_TRUE(part<QComboBox>("solid_paper")->isVisible());
+    EXPECT_FALSE(part<QComboBox>("solid_english")->isVisible());
+    const QString path = folder_.filePath(name);
+    dialog_->save(path);
+    EXPECT_TRUE(wait_for_end());
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
+    return QString::fromUtf8(file.readAll());
+  };
+  type(QStringLiteral("y = x"));
+  EXPECT_TRUE(saved(QStringLiteral("a.brf")).contains(QStringLiteral("\n;;;Y \"7 X;'\r\n")));
+  EXPECT_TRUE(saved(QStringLiteral("a.pdf")).startsWith(QStringLiteral("%PDF-")));
+}
+
+TEST_F(SolidOfPlotTest, ASurfaceHasNoPaper) {
+  type(QStringLiteral("z = x y"));
+  open_dialog();
+  EXPECT_FALSE(part<QComboBox>("solid_paper")->isVisible());
+  const QString path = folder_.filePath(QStringLiteral("a.brf"));
+  dialog_->save(path);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return words().startsWith(QStringLiteral("✗ a.brf: ")); }, 20000));
+  EXPECT_FALSE(QFile::exists(path));
 }
 
 }  // namespace

@@ -146,6 +146,119 @@ TEST_F(BrushWindow, WhatCannotBeOpenedIsToldAndTheSheetStays) {
       << feedback().toStdString();
 }
 
+TEST_F(BrushWindow, StrokesAreSavedAsSvgAndTheSheetAsPdf) {
+  const auto bytes = [this](const char* name) {
+    QFile file(folder_.filePath(QString::fromLatin1(name)));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name;
+    return file.readAll();
+  };
+  the_page->write(folder_.filePath(QStringLiteral("none.svg")));
+  settle();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Could not save none.svg: "))) << feedback().toStdString();
+  write_stroke();
+  the_page->write(folder_.filePath(QStringLiteral("one.svg")));
+  settle();
+  EXPECT_EQ(feedback(), QStringLiteral("Saved one.svg."));
+  EXPECT_EQ(bytes("one.svg").count("<path "), 1);
+  the_page->write(folder_.filePath(QStringLiteral("one.pdf")));
+  settle();
+  EXPECT_EQ(feedback(), QStringLiteral("Saved one.pdf."));
+  EXPECT_TRUE(bytes("one.pdf").startsWith("%PDF-"));
+}
+
+TEST_F(BrushWindow, AdviceIsShownAndSpokenAndTheSameKeyTakesItAway) {
+  key(Qt::Key_J);
+  EXPECT_EQ(feedback(), QStringLiteral("Write a character first. Then J gives advice."));
+  EXPECT_FALSE(action("brush_advice")->isChecked());
+  write_stroke(0.3);
+  write_stroke(0.7);
+  EXPECT_FALSE(find("brush_advice_words")->isVisible());
+  const QImage written = paper()->picture();
+  key(Qt::Key_J);
+  EXPECT_TRUE(action("brush_advice")->isChecked());
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Advice: "))) << feedback().toStdString();
+  EXPECT_TRUE(find("brush_advice_words")->isVisible());
+  EXPECT_EQ(
+      QStringLiteral("Advice: ") + text("brush_advice_words").replace(QLatin1Char('\n'), QLatin1Char(' ')),
+      feedback());
+  key(Qt::Key_J);
+  EXPECT_FALSE(find("brush_advice_words")->isVisible());
+  EXPECT_EQ(feedback(), QStringLiteral("The corrections are gone."));
+  EXPECT_TRUE(paper()->marks().empty());
+}
+
+class BrushWindowWithBar : public BrushWindow {
+ protected:
+  /// 一 as the model, with a bar that is too short, and corrections.
+  void SetUp() override {
+    BrushWindow::SetUp();
+    auto* line = find<QLineEdit>("brush_text");
+    line->setText(QStringLiteral("一"));
+    emit line->textEdited(line->text());
+    // The strokes of the model come from another thread.
+    wait_until([this] {
+      const QColor seen = paper()->grab().toImage().pixelColor(on_paper(0.45, 0.475));
+      return seen.red() - seen.blue() > 40;
+    });
+    settle();
+    write_stroke(0.3);
+    key(Qt::Key_J);
+    ASSERT_FALSE(paper()->marks().empty()) << feedback().toStdString();
+  }
+};
+
+TEST_F(BrushWindowWithBar, CorrectionsAreDrawnOverTheSheetAndAreNoPartOfIt) {
+  EXPECT_TRUE(text("brush_advice_words").contains(QStringLiteral("The character is too high.")))
+      << text("brush_advice_words").toStdString();
+  const auto vermilion = [this] {
+    const QImage seen = paper()->grab().toImage();
+    int pixels = 0;
+    for (int y = 0; y < seen.height(); ++y)
+      for (int x = 0; x < seen.width(); ++x) {
+        const QColor colour = seen.pixelColor(x, y);
+        pixels += colour.red() > 180 && colour.green() < 110 && colour.blue() < 90 ? 1 : 0;
+      }
+    return pixels;
+  };
+  EXPECT_GT(vermilion(), 50);
+  const QString before = folder_.filePath(QStringLiteral("with.png"));
+  the_page->write(before);
+  settle();
+  key(Qt::Key_J);
+  EXPECT_EQ(vermilion(), 0);
+  const QString after = folder_.filePath(QStringLiteral("without.png"));
+  the_page->write(after);
+  settle();
+  const QImage with(before), without(after);
+  for (int y = 0; y < with.height(); y += 3)
+    for (int x = 0; x < with.width(); x += 3) {
+      const QColor colour = with.pixelColor(x, y);
+      ASSERT_LT(colour.red() - colour.green(), 60) << x << ' ' << y;
+    }
+  EXPECT_FALSE(without.isNull());
+}
+
+TEST_F(BrushWindowWithBar, UndoRedoANewSheetANewStrokeAndAnotherModelTakeCorrectionsAway) {
+  const auto gone_after = [this](const std::function<void()>& act) {
+    if (!action("brush_advice")->isChecked()) key(Qt::Key_J);
+    ASSERT_FALSE(paper()->marks().empty()) << feedback().toStdString();
+    act();
+    settle();
+    EXPECT_TRUE(paper()->marks().empty());
+    EXPECT_FALSE(action("brush_advice")->isChecked());
+    EXPECT_FALSE(find("brush_advice_words")->isVisible());
+  };
+  gone_after([this] { key(Qt::Key_Z, Qt::ControlModifier); });
+  key(Qt::Key_Y, Qt::ControlModifier);
+  gone_after([this] { write_stroke(0.8); });
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Y, Qt::ControlModifier);
+  gone_after([this] { key(Qt::Key_3); });
+  gone_after([this] { key(Qt::Key_Y, Qt::ControlModifier); });
+  gone_after([this] { key(Qt::Key_N, Qt::ControlModifier); });
+}
+
 TEST_F(BrushWindow, APictureIsSavedAsPng) {
   the_page->write(folder_.filePath(QStringLiteral("one.png")));
   settle();

@@ -187,6 +187,7 @@ TEST_F(Device, ChoiceAndMaterialAreRemembered) {
   EXPECT_TRUE(stylus().is_pointer());
   find<QSlider>("material_stiffness")->setValue(8);
   find<QComboBox>("material_texture")->setCurrentIndex(2);
+  find<QSlider>("tip_radius")->setValue(15);
   press(Qt::Key_1, Qt::AltModifier);
   window_->close();
   open_window();
@@ -196,6 +197,34 @@ TEST_F(Device, ChoiceAndMaterialAreRemembered) {
   EXPECT_TRUE(find<QRadioButton>("device_pointer")->isChecked());
   EXPECT_EQ(find<QSlider>("material_stiffness")->value(), 8);
   EXPECT_EQ(find<QComboBox>("material_texture")->currentIndex(), 2);
+  EXPECT_EQ(find<QSlider>("tip_radius")->value(), 15);
+  EXPECT_NEAR(controller().tip_radius_m(), 0.0015, 1e-12) << "also while it is not shown";
+}
+
+TEST_F(Device, ABallAtTheTipIsFeltAtOnceAndTheForceFadesIn) {
+  press(Qt::Key_2, Qt::AltModifier);
+  // On the floor of the groove of the trial tablet.
+  const auto tablet = controller().tablet();
+  ASSERT_TRUE(tablet);
+  const auto& floor = tablet->paths().front().points;
+  const auto at = floor[floor.size() / 2];
+  find<QSlider>("tip_radius")->setValue(0);
+  stylus().set_strength(1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !stylus().is_pointer(); }));
+  script_->x_m = at.x;
+  script_->y_m = at.y;
+  script_->z_m = 0.002;
+  ASSERT_TRUE(ticks_pass(400));
+  script_->z_m = at.z - 0.0005;
+  ASSERT_TRUE(ticks_pass(600));
+  const double point_n = script_->force_n;
+  ASSERT_GT(point_n, 0.1);
+  script_->most_step_n = 0;
+  find<QSlider>("tip_radius")->setValue(30);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return script_->force_n > point_n + 0.1; }))
+      << "the ball stays higher: " << script_->force_n << " N, a point " << point_n << " N";
+  ASSERT_TRUE(ticks_pass(400));
+  EXPECT_LE(script_->most_step_n, 0.2 + 1e-9) << "the most that a device may change in a tick";
 }
 
 TEST_F(Device, OneKeyGoesToTheListOfDevices) {

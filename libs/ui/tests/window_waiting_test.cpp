@@ -5,6 +5,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QTimer>
+#include <ctime>
 #include <fstream>
 
 #include "characters/characters.h"
@@ -26,7 +27,9 @@ namespace {
 
 using test::Watchdog;
 
-constexpr double kLongest_ms = 50;
+/// Of the work that is done behind the window, the most that one event may take; work in the window comes
+/// near 1.
+constexpr double kMostShare = 0.2;
 
 WindowParts* the_parts = nullptr;
 
@@ -105,34 +108,59 @@ class Waiting : public WindowTest {
   study::Time now_ = *study::parse_time("2036-03-01T09:00:00Z");
 };
 
-TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
-  {
-    auto store = study::LearnerStore::open(learner_file(), study::Access::write, clock_);
-    ASSERT_TRUE(store);
-    ASSERT_TRUE(store->fill(ten_years(characters(*store), now_)));
-    std::filesystem::remove_all(study::backup_folder(learner_file()));
+/// Longest events [ms of processor time].
+struct Longest {
+  double opening = 0, starting = 0, steps = 0, home = 0, midnight = 0;
+};
+
+class WaitingForAHistory : public Waiting {
+ protected:
+  /// A day with a history of so many entries.
+  void live_a_day(int entries, Longest& longest) {
+    {
+      auto store = study::LearnerStore::open(learner_file(), study::Access::write, clock_);
+      ASSERT_TRUE(store);
+      ASSERT_TRUE(store->fill(ten_years(characters(*store), now_, entries)));
+      std::filesystem::remove_all(study::backup_folder(learner_file()));
+    }
+    open_home();
+    ASSERT_TRUE(keeps_up_to_date()) << "the check and the backup behind the window";
+    EXPECT_EQ(study::backups_of(learner_file()).size(), 1U);
+
+    const Watchdog opening;
+    bool opened = false;
+    QTimer::singleShot(0, qApp, [&] { opened = the_parts->learner().open_again(); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return opened; }));
+    longest.opening = opening.longest_ms();
+    ASSERT_TRUE(keeps_up_to_date());
+
+    const Watchdog starting;
+    ASSERT_TRUE(find<QPushButton>("home_start")->isVisible());
+    QTest::keyClick(find<QPushButton>("home_start"), Qt::Key_Return);
+    ASSERT_TRUE(the_parts->session().is_running());
+    QCoreApplication::processEvents();
+    longest.starting = starting.longest_ms();
+
+    const Watchdog steps;
+    for (int i = 0; i < 3; ++i) step_and_undo();
+    longest.steps = steps.longest_ms();
+
+    const Watchdog home;
+    press(Qt::Key_1, Qt::AltModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return find("home_page")->isVisible(); }));
+    longest.home = home.longest_ms();
+
+    const Watchdog midnight;
+    now_ += std::chrono::days(1);
+    the_parts->learner().tick();
+    ASSERT_TRUE(keeps_up_to_date());
+    EXPECT_EQ(study::backups_of(learner_file()).size(), 2U) << "of the new day";
+    longest.midnight = midnight.longest_ms();
   }
-  open_home();
-  ASSERT_TRUE(keeps_up_to_date()) << "the check and the backup behind the window";
-  EXPECT_EQ(study::backups_of(learner_file()).size(), 1U);
 
-  const Watchdog opening;
-  bool opened = false;
-  QTimer::singleShot(0, qApp, [&] { opened = the_parts->learner().open_again(); });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return opened; }));
-  EXPECT_LT(opening.longest_ms(), kLongest_ms) << "opening: " << opening.longest().toStdString();
-  ASSERT_TRUE(keeps_up_to_date());
-
-  const Watchdog watchdog;
-  ASSERT_TRUE(find<QPushButton>("home_start")->isVisible());
-  QTest::keyClick(find<QPushButton>("home_start"), Qt::Key_Return);
-  ASSERT_TRUE(the_parts->session().is_running());
-  QCoreApplication::processEvents();
-  EXPECT_LT(watchdog.longest_ms(), kLongest_ms) << "starting: " << watchdog.longest().toStdString();
-
-  const Watchdog steps;
-  const auto entries = [] { return the_parts->learner().store().last_entry(); };
-  for (int i = 0; i < 3; ++i) {
+ private:
+  void step_and_undo() {
+    const auto entries = [] { return the_parts->learner().store().last_entry(); };
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return shown_character_ == the_parts->session().character(); }, 20'000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Write the")); }, 20'000));
@@ -146,19 +174,30 @@ TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
     press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_EQ(entries(), before + 2);
   }
-  EXPECT_LT(steps.longest_ms(), kLongest_ms) << "a step and undo: " << steps.longest().toStdString();
+};
 
-  const Watchdog home;
-  press(Qt::Key_1, Qt::AltModifier);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return find("home_page")->isVisible(); }));
-  EXPECT_LT(home.longest_ms(), kLongest_ms) << "Home: " << home.longest().toStdString();
+double thread_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
 
-  const Watchdog midnight;
-  now_ += std::chrono::days(1);
-  the_parts->learner().tick();
-  ASSERT_TRUE(keeps_up_to_date());
-  EXPECT_EQ(study::backups_of(learner_file()).size(), 2U) << "of the new day";
-  EXPECT_LT(midnight.longest_ms(), kLongest_ms) << "a new day: " << midnight.longest().toStdString();
+TEST_F(WaitingForAHistory, NoEventOfTheWindowReadsAFifthOfTenYears) {
+  Longest longest;
+  live_a_day(300'000, longest);
+  if (HasFatalFailure()) return;
+  // Read once, in the same run on the same thread.
+  std::int64_t entries = 0;
+  const double begin_ms = thread_ms();
+  ASSERT_TRUE(
+      the_parts->learner().store().for_each_entry(false, [&entries](const auto&) { return ++entries > 0; }));
+  const double limit_ms = kMostShare * (thread_ms() - begin_ms);
+  ASSERT_GE(entries, 300'000);
+  EXPECT_LT(longest.opening, limit_ms);
+  EXPECT_LT(longest.starting, limit_ms);
+  EXPECT_LT(longest.steps, limit_ms);
+  EXPECT_LT(longest.home, limit_ms);
+  EXPECT_LT(longest.midnight, limit_ms);
 }
 
 TEST_F(Waiting, ADamagedFileIsFoundBehindTheWindowAndNothingMoreIsWritten) {
@@ -212,7 +251,8 @@ TEST_F(Waiting, SettingsThatChangeEveryCharacterAreKeptBehindTheWindowOrNotAtAll
   const double as_before = stability();
   const Watchdog watchdog;
   ASSERT_TRUE(change(false));
-  EXPECT_LT(watchdog.longest_ms(), kLongest_ms) << watchdog.longest().toStdString();
+  EXPECT_LT(watchdog.longest_ms(), kMostShare * watchdog.all_threads_ms())
+      << watchdog.longest().toStdString();
   EXPECT_EQ(kind, Feedback::good);
   EXPECT_EQ(learner.store().settings(), wanted);
   EXPECT_NE(stability(), as_before);
@@ -245,7 +285,8 @@ TEST_F(Waiting, ABrokenRecordingIsCompletedAndItsTableWrittenBehindTheWindow) {
   EXPECT_EQ(std::count(std::istreambuf_iterator<char>(rows), {}, '\n'),
             static_cast<std::ptrdiff_t>(kTicks) + 1);
   EXPECT_FALSE(QFile::exists(raw));
-  EXPECT_LT(watchdog.longest_ms(), kLongest_ms) << watchdog.longest().toStdString();
+  EXPECT_LT(watchdog.longest_ms(), kMostShare * watchdog.all_threads_ms())
+      << watchdog.longest().toStdString();
 }
 
 }  // namespace

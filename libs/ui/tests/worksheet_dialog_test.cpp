@@ -83,8 +83,8 @@ TEST_F(WorksheetDialogTest, APageIsShownAsThePdfHasIt) {
     int layout;
     bool vertical, booklet;
   };
-  for (const Case& one :
-       {Case{0, false, false}, Case{0, true, true}, Case{1, false, false}, Case{2, false, false}}) {
+  for (const Case& one : {Case{0, false, false}, Case{0, true, true}, Case{1, false, false},
+                          Case{2, false, false}, Case{4, false, false}}) {
     text_after([&] {
       choose_source(WorksheetSource::text);
       part<QPlainTextEdit>("worksheet_text")->setPlainText(QStringLiteral("休永日%1").arg(one.layout));
@@ -248,6 +248,32 @@ TEST_F(WorksheetDialogTest, OnlyOptionsWithAnEffectAreShown) {
   layout->setCurrentIndex(3);
   EXPECT_FALSE(shown("worksheet_source"));
   EXPECT_TRUE(shown("worksheet_text"));
+  EXPECT_FALSE(shown("worksheet_per_sheet"));
+  layout->setCurrentIndex(4);
+  for (const char* name :
+       {"worksheet_source", "worksheet_per_sheet", "worksheet_guide", "worksheet_rows", "worksheet_copies",
+        "worksheet_numbers", "worksheet_arrows", "worksheet_name_line"})
+    EXPECT_TRUE(shown(name)) << name;
+  for (const char* name : {"worksheet_cell", "worksheet_whole_page", "worksheet_steps", "worksheet_facts",
+                           "worksheet_vertical", "worksheet_booklet", "worksheet_title"})
+    EXPECT_FALSE(shown(name)) << name;
+}
+
+TEST_F(WorksheetDialogTest, ABrushSheetHasAsManyCharactersAsChosenOnAsManySheets) {
+  text_after([this] {
+    choose_source(WorksheetSource::text);
+    part<QPlainTextEdit>("worksheet_text")->setPlainText(QStringLiteral("休永日山川"));
+    part<QComboBox>("worksheet_layout")->setCurrentIndex(4);
+    part<QComboBox>("worksheet_paper")->setCurrentIndex(3);
+    part<QComboBox>("worksheet_per_sheet")->setCurrentText(QStringLiteral("2"));
+    part<QSpinBox>("worksheet_rows")->setValue(3);
+  });
+  EXPECT_TRUE(says(QStringLiteral("9 pages")));
+  EXPECT_DOUBLE_EQ(view()->page()->width_mm, 243);
+  EXPECT_EQ(part<QSpinBox>("worksheet_rows")->accessibleName(),
+            QStringLiteral("Sheets of the same characters"));
+  part<QComboBox>("worksheet_layout")->setCurrentIndex(0);
+  EXPECT_EQ(part<QSpinBox>("worksheet_rows")->accessibleName(), QStringLiteral("Rows per character"));
 }
 
 TEST_F(WorksheetDialogTest, ThePdfHasTheCharactersAndTheWindowSaysWhereItIs) {

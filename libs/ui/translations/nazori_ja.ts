@@ -340,6 +340,133 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::AdviceWords</name>
+    <message>
+        <source>Stroke %1</source>
+        <translation>%1画目</translation>
+    </message>
+    <message>
+        <source>Strokes %1 and %2</source>
+        <translation>%1・%2画目</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>・</translation>
+    </message>
+    <message>
+        <source>%1: the start is turned by %2°. Begin in the direction of the arrow.</source>
+        <translation>%1：書き始めの角度が%2°ずれています。矢印の向きに書き始めましょう。</translation>
+    </message>
+    <message>
+        <source>%1: the start moves back first (hidden tip). Here the tip may stay visible.</source>
+        <translation>%1：書き始めで穂先が一度戻っています（蔵鋒）。ここでは穂先を見せたまま書き始めてかまいません。</translation>
+    </message>
+    <message>
+        <source>%1: the end stays broad. Lift the brush slowly while it is still moving.</source>
+        <translation>%1：はらいの先が太いままです。筆を動かしながら少しずつ上げましょう。</translation>
+    </message>
+    <message>
+        <source>%1: hurried at the beginning. Keep an even speed.</source>
+        <translation>%1：始めを急いでいます。一定の速さで書きましょう。</translation>
+    </message>
+    <message>
+        <source>%1: hurried in the middle. Keep an even speed.</source>
+        <translation>%1：途中を急いでいます。一定の速さで書きましょう。</translation>
+    </message>
+    <message>
+        <source>%1: hurried towards the end. Keep an even speed.</source>
+        <translation>%1：終わりのほうを急いでいます。一定の速さで書きましょう。</translation>
+    </message>
+    <message>
+        <source>%1: hesitant at the beginning. Keep an even speed.</source>
+        <translation>%1：始めで筆が滞っています。一定の速さで書きましょう。</translation>
+    </message>
+    <message>
+        <source>%1: hesitant in the middle. Keep an even speed.</source>
+        <translation>%1：途中で筆が滞っています。一定の速さで書きましょう。</translation>
+    </message>
+    <message>
+        <source>%1: hesitant towards the end. Keep an even speed.</source>
+        <translation>%1：終わりのほうで筆が滞っています。一定の速さで書きましょう。</translation>
+    </message>
+    <message>
+        <source>All strokes are equally thick. Press at starts and stops, and lift in hooks and sweeps.</source>
+        <translation>線の太さに変化がありません。書き始めととめではおさえ、はねとはらいでは力を抜きましょう。</translation>
+    </message>
+    <message>
+        <source>The ink covers only %1% of the model.</source>
+        <translation>墨が手本の%1%にしか重なっていません。</translation>
+    </message>
+    <message>
+        <source>%1% of the ink is outside the model.</source>
+        <translation>墨の%1%が手本からはみ出しています。</translation>
+    </message>
+    <message>
+        <source>The character is too far to the left.</source>
+        <translation>字が左に寄っています。</translation>
+    </message>
+    <message>
+        <source>The character is too far to the right.</source>
+        <translation>字が右に寄っています。</translation>
+    </message>
+    <message>
+        <source>The character is too high.</source>
+        <translation>字が上に寄っています。</translation>
+    </message>
+    <message>
+        <source>The character is too low.</source>
+        <translation>字が下に寄っています。</translation>
+    </message>
+    <message>
+        <source>The character is larger than the model.</source>
+        <translation>字が手本より大きすぎます。</translation>
+    </message>
+    <message>
+        <source>The character is smaller than the model.</source>
+        <translation>字が手本より小さすぎます。</translation>
+    </message>
+    <message>
+        <source>The gap between strokes %1 and %2 is too wide.</source>
+        <translation>%1画目と%2画目の間が広すぎます。</translation>
+    </message>
+    <message>
+        <source>The gap between strokes %1 and %2 is too narrow.</source>
+        <translation>%1画目と%2画目の間が狭すぎます。</translation>
+    </message>
+    <message>
+        <source>Too few strokes match the model, so they cannot be compared.</source>
+        <translation>手本と合う画が少ないため、比べられません。</translation>
+    </message>
+    <message>
+        <source>Well written: there is nothing to correct.</source>
+        <translation>よく書けています。直すところはありません。</translation>
+    </message>
+    <message>
+        <source>%1: very good.</source>
+        <translation>%1：たいへんよく書けています。</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1：</translation>
+    </message>
+    <message>
+        <source>%1: there is no stop. Stop and press at the end, then lift.</source>
+        <translation>%1：とめがありません。終わりで止め、おさえてから筆を上げましょう。</translation>
+    </message>
+    <message>
+        <source>%1: the hook is missing or blunt. Stop, then flick the brush off.</source>
+        <translation>%1：はねがないか、はっきりしません。一度止めてからはねましょう。</translation>
+    </message>
+    <message>
+        <source>%1: too thin. Press more, or take a thicker brush.</source>
+        <translation>%1：線が細すぎます。もっと筆をおさえるか、太い筆を使いましょう。</translation>
+    </message>
+    <message>
+        <source>%1: too thick. Press less, or take a thinner brush.</source>
+        <translation>%1：線が太すぎます。力を抜くか、細い筆を使いましょう。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::AnkiDialog</name>
     <message>
         <source>Export for Anki</source>
@@ -584,10 +711,6 @@
         <translation>画像として保存(&amp;E)…</translation>
     </message>
     <message>
-        <source>Save the sheet as PNG</source>
-        <translation>紙を PNG で保存します</translation>
-    </message>
-    <message>
         <source>&amp;Carve as a tablet</source>
         <translation>文字板に彫る(&amp;C)</translation>
     </message>
@@ -670,6 +793,18 @@
     <message>
         <source>&amp;Model</source>
         <translation>手本(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Advice</source>
+        <translation>助言(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Compare the sheet with the model: advice in words, and corrections in vermilion</source>
+        <translation>書いた字を手本と比べ、言葉で助言し、朱で直します</translation>
+    </message>
+    <message>
+        <source>Save the sheet as a picture (PNG) or a page (PDF), or its strokes (SVG)</source>
+        <translation>紙を画像（PNG）やページ（PDF）で、画を SVG で保存します</translation>
     </message>
 </context>
 <context>
@@ -802,6 +937,30 @@
         <source>Part %1 of %2.</source>
         <translation>全%2枚の%1枚目。</translation>
     </message>
+    <message>
+        <source>Write a character first. Then J gives advice.</source>
+        <translation>先に字を書いてください。その後 J で助言します。</translation>
+    </message>
+    <message>
+        <source>There are no strokes in the squares of the model.</source>
+        <translation>手本のます目に画がありません。</translation>
+    </message>
+    <message>
+        <source>Advice: %1</source>
+        <translation>助言：%1</translation>
+    </message>
+    <message>
+        <source>The corrections are gone.</source>
+        <translation>朱の直しを消しました。</translation>
+    </message>
+    <message>
+        <source>Strokes (*.svg)</source>
+        <translation>画 (*.svg)</translation>
+    </message>
+    <message>
+        <source>Page at real size (*.pdf)</source>
+        <translation>実寸のページ (*.pdf)</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::BrushToolsPanel</name>
@@ -868,6 +1027,10 @@
     <message>
         <source>Text</source>
         <translation>文字</translation>
+    </message>
+    <message>
+        <source>Advice (not a mark)</source>
+        <translation>助言（採点ではありません）</translation>
     </message>
 </context>
 <context>
@@ -2651,6 +2814,22 @@
         <translation>粗さ</translation>
     </message>
     <message>
+        <source>Tip of the stylus</source>
+        <translation>ペン先</translation>
+    </message>
+    <message>
+        <source>Radius of the ball</source>
+        <translation>球の半径</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>0 is a point. A ball does not reach the bottom of a groove that is narrower than it.</source>
+        <translation>0 にすると点になります。球より細い溝の底には届きません。</translation>
+    </message>
+    <message>
         <source>%1, %2, %3 mm</source>
         <translation>%1、%2、%3 mm</translation>
     </message>
@@ -4411,6 +4590,57 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::MachineOptions</name>
+    <message>
+        <source>De&amp;pth of the grooves</source>
+        <translation>溝の深さ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>C&amp;utter of the mill (.nc)</source>
+        <translation>切削機の刃の直径（.nc）(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Depth of one p&amp;ass (.nc)</source>
+        <translation>1回で削る深さ（.nc）(&amp;A)</translation>
+    </message>
+    <message>
+        <source>La&amp;yers of the laser (.svg)</source>
+        <translation>レーザーの層の数（.svg）(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Swell pa&amp;per (.pdf)</source>
+        <translation>立体コピー用紙（.pdf）(&amp;P)</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>B5</source>
+        <translation>B5</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>レター</translation>
+    </message>
+    <message>
+        <source>&amp;English braille</source>
+        <translation>英語の点字(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Uncontracted</source>
+        <translation>縮約なし</translation>
+    </message>
+    <message>
+        <source>Contracted (UEB)</source>
+        <translation>縮約あり（UEB）</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::MainWindow</name>
     <message>
         <source>The recording has ended. Writing %1.</source>
@@ -5603,6 +5833,22 @@ Columns and rows:</source>
     <message>
         <source>STL (*.stl)</source>
         <translation>STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>PDF for swell paper (*.pdf)</source>
+        <translation>立体コピー用紙のPDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>BRF for a braille embosser (*.brf)</source>
+        <translation>点字プリンターのBRF (*.brf)</translation>
+    </message>
+    <message>
+        <source>G-code for a mill (*.nc)</source>
+        <translation>切削機のGコード (*.nc)</translation>
+    </message>
+    <message>
+        <source>SVG for a laser cutter (*.svg)</source>
+        <translation>レーザー加工機のSVG (*.svg)</translation>
     </message>
 </context>
 <context>
@@ -7512,6 +7758,10 @@ Columns and rows:</source>
         <translation>原稿用紙</translation>
     </message>
     <message>
+        <source>Brush sheet</source>
+        <translation>毛筆の練習用紙</translation>
+    </message>
+    <message>
         <source>&amp;Paper</source>
         <translation>用紙(&amp;P)</translation>
     </message>
@@ -7526,6 +7776,10 @@ Columns and rows:</source>
     <message>
         <source>Letter</source>
         <translation>レター</translation>
+    </message>
+    <message>
+        <source>Hanshi</source>
+        <translation>半紙</translation>
     </message>
     <message>
         <source>Cell si&amp;ze</source>
@@ -7566,6 +7820,18 @@ Columns and rows:</source>
     <message>
         <source>Cells to &amp;trace, fading</source>
         <translation>なぞるます（しだいに薄く）(&amp;T)</translation>
+    </message>
+    <message>
+        <source>C&amp;haracters per sheet</source>
+        <translation>1枚の文字数(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Sheets o&amp;f the same characters</source>
+        <translation>同じ字の枚数(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Sheets to &amp;trace, fading</source>
+        <translation>なぞる枚数（しだいに薄く）(&amp;T)</translation>
     </message>
     <message>
         <source>Stroke &amp;order, step by step</source>

@@ -28,7 +28,11 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
   next_paper = make("brush_paper", tr("Other &paper"), tr("Take a new sheet of the next kind of paper"), "P");
   describe =
       make("brush_describe", tr("De&scribe the sheet"), tr("Say what is on the paper and in the brush"), "S");
-  save_png = make("brush_png", tr("Save as a pictur&e…"), tr("Save the sheet as PNG"), "Ctrl+E");
+  advice = make("brush_advice", tr("&Advice"),
+                tr("Compare the sheet with the model: advice in words, and corrections in vermilion"), "J",
+                true, Icon::advice);
+  save_png = make("brush_png", tr("Save as a pictur&e…"),
+                  tr("Save the sheet as a picture (PNG) or a page (PDF), or its strokes (SVG)"), "Ctrl+E");
   carve = make("brush_carve", tr("&Carve as a tablet"), tr("Carve the ink into a tablet that you can feel"),
                "Ctrl+Shift+C");
   tools = make("brush_tools", tr("&Tools beside the paper"), tr("Show or hide brush, paper and model"), "F3",
@@ -49,8 +53,8 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
   make_exclusive({model_none, model_beneath, model_beside});
   add_group(tr("&Brush"), {dip_in_ink, dip_in_water, wipe, nullptr, thicker, thinner, next_hair, next_ink,
                            nullptr, guess_pressure, left_hand, show_brush});
-  add_group(tr("S&heet"), {undo, redo, nullptr, dry, new_sheet, next_paper, nullptr, describe, save_png,
-                           carve, nullptr, tools});
+  add_group(tr("S&heet"), {undo, redo, nullptr, dry, new_sheet, next_paper, nullptr, describe, advice,
+                           nullptr, save_png, carve, nullptr, tools});
   add_group(tr("&Model"), {model_none, model_beneath, model_beside, nullptr, next_ruling, nullptr, model_text,
                            next_model, previous_model});
 }

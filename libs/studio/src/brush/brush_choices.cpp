@@ -59,6 +59,12 @@ void BrushPage::connect_actions() {
     choose_ink(std::string(inks[static_cast<std::size_t>(at + 1) % inks.size()]));
   });
   on(actions_->describe, [this] { parts().respond(Feedback::hint, sheet_words()); });
+  on(actions_->advice, [this](bool on) {
+    if (on) return request_advice();
+    paper_->show_marks({});
+    panel_->show_advice({});
+    parts().respond(Feedback::hint, tr("The corrections are gone."));
+  });
   on(actions_->save_png, [this] { ask_and_write(QStringLiteral("png")); });
 
   on(actions_->guess_pressure, [this](bool on) {
@@ -126,6 +132,7 @@ void BrushPage::connect_panel() {
 
 void BrushPage::connect_paper() {
   connect(paper_, &PaperView::pen_moved, this, [this](const brush::PenSample& sample) {
+    clear_advice();
     writing_->move_pen(sample);
     wake();
   });
@@ -177,6 +184,7 @@ void BrushPage::choose_ruling(int characters) {
 
 void BrushPage::choose_place(ModelPlace place) {
   choice_.place = place;
+  clear_advice();
   show_place();
   show_model();
   parts().respond(Feedback::hint, model_words());

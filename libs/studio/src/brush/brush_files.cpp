@@ -36,6 +36,8 @@ void BrushPage::show_outcome(const Outcome& outcome) {
                                 tr("Could not open %1: %2. The sheet was not changed.").arg(file, why));
       case Task::save:
       case Task::save_png:
+      case Task::save_svg:
+      case Task::save_pdf:
         return parts().announce(Feedback::wrong, tr("Could not save %1: %2.").arg(file, why));
       case Task::ink:
         choice_.ink = state.ink;
@@ -45,6 +47,9 @@ void BrushPage::show_outcome(const Outcome& outcome) {
         return parts().announce(Feedback::wrong, tr("This is not possible: %1.").arg(why));
     }
   }
+  const bool changes_sheet = outcome.task == Task::undo || outcome.task == Task::redo ||
+                             outcome.task == Task::new_sheet || outcome.task == Task::open;
+  if (changes_sheet) clear_advice();
   switch (outcome.task) {
     case Task::undo:
       return parts().respond(Feedback::hint, undo_words(outcome.edit, state.strokes));
@@ -78,9 +83,13 @@ void BrushPage::show_outcome(const Outcome& outcome) {
       if (closes_when_saved_) parts().window().close();
       return;
     case Task::save_png:
+    case Task::save_svg:
+    case Task::save_pdf:
       return parts().announce(Feedback::good, tr("Saved %1.").arg(file));
     case Task::carve:
       return show_tablet(outcome);
+    case Task::advise:
+      return show_advice(outcome.advice);
   }
 }
 
@@ -115,26 +124,40 @@ void BrushPage::ask_and_write(const QString& suffix) {
   QString name;
   for (const char32_t c : models()) name += to_text(c);
   if (!file_.isEmpty()) name = QFileInfo(file_).completeBaseName();
+  QString filter;
   QString path = QFileDialog::getSaveFileName(
       &parts().window(), tr("Save as"),
       QStringLiteral("%1/%2.%3").arg(parts().preferences().start_folder(), name.left(20), suffix),
-      is_sheet ? tr("Sheet of paper (*.nzs)") : tr("Picture (*.png)"));
+      is_sheet
+          ? tr("Sheet of paper (*.nzs)")
+          : QStringList{tr("Picture (*.png)"), tr("Strokes (*.svg)"), tr("Page at real size (*.pdf)")}.join(
+                QStringLiteral(";;")),
+      &filter);
   parts().focus_tablet();
   if (path.isEmpty()) {
     closes_when_saved_ = false;
     return;
   }
-  if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
+  if (QFileInfo(path).suffix().isEmpty()) {
+    const qsizetype star = filter.lastIndexOf(QLatin1String("*."));
+    path += QLatin1Char('.') + (star < 0 ? suffix : filter.mid(star + 2).chopped(1));
+  }
   parts().preferences().folder = QFileInfo(path).absolutePath();
   parts().save_later();
   write(path);
 }
 
 void BrushPage::write(const QString& path) {
-  if (QFileInfo(path).suffix().toLower() == QLatin1String("png"))
-    writing_->save_png(path.toStdString());
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  const std::string file = path.toStdString();
+  if (suffix == QLatin1String("png"))
+    writing_->save_png(file);
+  else if (suffix == QLatin1String("svg"))
+    writing_->save_svg(file);
+  else if (suffix == QLatin1String("pdf"))
+    writing_->save_pdf(file, QFileInfo(path).completeBaseName().toStdString());
   else
-    writing_->save(path.toStdString());
+    writing_->save(file);
   wake();
 }
 

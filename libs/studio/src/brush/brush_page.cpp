@@ -56,7 +56,7 @@ BrushPage::BrushPage(WindowParts& parts)
   connect_panel();
   connect_paper();
   subscribe(parts.library().characters_ready, this, [this](const std::vector<kanji::Character>& characters) {
-    for (const auto& character : characters) strokes_[character.code_point] = character.lines();
+    for (const auto& character : characters) characters_[character.code_point] = character;
     if (entered_) show_model();
   });
 }
@@ -200,25 +200,31 @@ std::vector<char32_t> BrushPage::models() const {
 }
 
 void BrushPage::request_model() {
+  clear_advice();
   if (const auto& sheet = parts().practice().sheet())
-    strokes_[sheet->character.code_point] = sheet->character.lines();
+    characters_[sheet->character.code_point] = sheet->character;
   std::vector<char32_t> missing;
   for (const char32_t c : models())
-    if (!strokes_.contains(c) && std::find(missing.begin(), missing.end(), c) == missing.end())
+    if (!characters_.contains(c) && std::find(missing.begin(), missing.end(), c) == missing.end())
       missing.push_back(c);
   if (!missing.empty()) parts().library().request_characters(missing);
   show_model();
 }
 
+std::vector<calligraphy::RuledSquare> BrushPage::model_squares() const {
+  auto squares = calligraphy::ruled_squares(choice_.ruling);
+  return squares.empty() ? std::vector{calligraphy::only_square()} : squares;
+}
+
 void BrushPage::show_model() {
   const auto ruled = calligraphy::ruled_squares(choice_.ruling);
-  const auto squares = ruled.empty() ? std::vector{calligraphy::only_square()} : ruled;
+  const auto squares = model_squares();
   std::vector<calligraphy::ModelStroke> all;
   const auto characters = models();
   for (std::size_t i = 0; i < characters.size() && i < squares.size(); ++i) {
-    const auto strokes = strokes_.find(characters[i]);
-    if (strokes == strokes_.end()) continue;
-    for (auto& stroke : calligraphy::model_strokes(strokes->second, squares[i]))
+    const auto found = characters_.find(characters[i]);
+    if (found == characters_.end()) continue;
+    for (auto& stroke : calligraphy::model_strokes(found->second.lines(), squares[i]))
       all.push_back(std::move(stroke));
   }
   paper_->show_model(std::move(all), ruled, choice_.place);

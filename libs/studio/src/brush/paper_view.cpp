@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nazori/studio/brush/correction_marks.h"
 #include "nazori/widgets/look/palette.h"
 
 namespace nazori::ui {
@@ -117,6 +118,11 @@ void PaperView::show_model(std::vector<calligraphy::ModelStroke> strokes,
   squares_ = std::move(squares);
   model_place_ = place;
   lay_out();
+}
+
+void PaperView::show_marks(std::vector<calligraphy::CorrectionMark> marks) {
+  marks_ = std::move(marks);
+  update();
 }
 
 void PaperView::set_left_hand(bool left) {
@@ -227,6 +233,7 @@ void PaperView::paintEvent(QPaintEvent* event) {
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
   }
   if (is_dark(QGuiApplication::palette())) painter.fillRect(sheet, QColor(0, 0, 0, kDarkness));
+  paint_marks(painter, marks_, place_);
   if (!beside_.isEmpty()) paint_beside(painter);
   if (hasFocus()) {
     painter.setPen(QPen(c.indigo, 2));

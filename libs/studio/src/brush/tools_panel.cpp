@@ -106,6 +106,12 @@ BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
     column->addLayout(row);
   };
 
+  advice_heading_ = heading(tr("Advice (not a mark)"), content_);
+  advice_words_ = sentence_label("brush_advice_words", content_);
+  column->addWidget(advice_heading_);
+  column->addWidget(advice_words_);
+  show_advice({});
+
   column->addWidget(heading(tr("Brush"), content_));
   gauge_ = new InkGauge(content_);
   column->addWidget(gauge_);
@@ -193,6 +199,13 @@ void BrushToolsPanel::show_text(const QString& text) {
 void BrushToolsPanel::show_model_words(const QString& words) {
   model_words_->setText(words);
   model_words_->setVisible(!words.isEmpty());
+}
+
+void BrushToolsPanel::show_advice(const QStringList& sentences) {
+  advice_words_->setText(sentences.join(QLatin1Char('\n')));
+  advice_heading_->setVisible(!sentences.isEmpty());
+  advice_words_->setVisible(!sentences.isEmpty());
+  if (!sentences.isEmpty()) ensureVisible(0, 0);
 }
 
 void BrushToolsPanel::focus_text() {

@@ -20,6 +20,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "nazori/studio/print/machine_options.h"
 #include "nazori/studio/print/relief_view.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/controls/spoken_line.h"
@@ -80,6 +81,7 @@ SolidDialog::SolidDialog(WindowParts& parts, SolidSubject subject, QWidget* pare
   form->addRow(tr("Si&ze of the square"), size_);
   for (auto* check : {numbers_, dots_, hole_, mould_}) form->addRow(check);
   if (subject_.plot) form->setRowVisible(kind_, false);
+  machines_ = new MachineOptions(*form, this);
   area_->setFrameShape(QFrame::NoFrame);
   make_scrolling(area_, form_widget);
   auto* buttons = dialog_buttons(QDialogButtonBox::Close, this);
@@ -103,6 +105,7 @@ SolidDialog::SolidDialog(WindowParts& parts, SolidSubject subject, QWidget* pare
   connect(size_, &QSpinBox::valueChanged, this, &SolidDialog::choose_later);
   for (auto* check : {numbers_, dots_, hole_, mould_})
     connect(check, &QCheckBox::toggled, this, &SolidDialog::choose_later);
+  connect(machines_, &MachineOptions::depth_changed, this, &SolidDialog::choose_later);
   connect(save_, &QPushButton::clicked, this, &SolidDialog::ask_and_save);
   subscribe(maker_.shown, this, [this](const practice::SolidView& view) { show_view(view); });
   subscribe(maker_.refused, this, [this](const base::Error& error) {
@@ -134,6 +137,7 @@ practice::SolidSettings SolidDialog::settings() const {
   chosen.raised = kind_->currentIndex() == raised;
   chosen.mould = mould_->isChecked();
   chosen.plate.side_mm = size_->value();
+  chosen.plate.depth_mm = machines_->depth_mm();
   chosen.plate.hanging_hole = hole_->isChecked();
   chosen.plate.strokes.numbers = numbers_->isChecked();
   chosen.plate.strokes.start_dots = dots_->isChecked();
@@ -154,6 +158,7 @@ void SolidDialog::load() {
   dots_->setChecked(base::flag_setting(values, "start_dots", true));
   hole_->setChecked(base::flag_setting(values, "hole", true));
   mould_->setChecked(base::flag_setting(values, "mould", false));
+  machines_->load(values);
 }
 
 void SolidDialog::store_choice() const {
@@ -166,6 +171,7 @@ void SolidDialog::store_choice() const {
   base::set_flag(values, "start_dots", dots_->isChecked());
   base::set_flag(values, "hole", hole_->isChecked());
   base::set_flag(values, "mould", mould_->isChecked());
+  machines_->store(values);
   write_settings(stored, values);
 }
 
@@ -175,6 +181,11 @@ void SolidDialog::show_what_matters() {
   numbers_->setVisible(has_marks);
   dots_->setVisible(has_marks);
   hole_->setVisible(tablet && !mould_->isChecked());
+  using Made = MachineOptions::Made;
+  if (tablet)
+    machines_->show_for(has_marks ? Made::raised_tablet : Made::grooved_tablet);
+  else
+    machines_->show_for(is_surface() ? Made::surface : Made::plot);
 }
 
 void SolidDialog::choose_later() {
@@ -184,7 +195,9 @@ void SolidDialog::choose_later() {
   soon_.start();
 }
 
-void SolidDialog::request() { maker_.show({subject_.tablets, subject_.plot, settings()}); }
+void SolidDialog::request() {
+  maker_.show({practice::without_labels(subject_.tablets), subject_.plot, settings()});
+}
 
 void SolidDialog::show_view(const practice::SolidView& view) {
   // An older model may arrive while the newest choice still waits to be asked for.
@@ -213,15 +226,27 @@ void SolidDialog::say(const QString& sentence, bool wrong) {
   spoken_->speak(wrong ? Urgency::at_once : Urgency::queued, sentence);
 }
 
+bool SolidDialog::is_surface() const { return subject_.plot && subject_.plot->request.plot.is_surface(); }
+
+QStringList SolidDialog::file_kinds() const {
+  QStringList kinds{tr("3MF, with its size in millimetres (*.3mf)"), tr("STL (*.stl)")};
+  if (is_surface()) return kinds;
+  // Machines that cut make grooves, and paper that swells or is embossed has raised lines.
+  if (subject_.plot || kind_->currentIndex() == raised)
+    kinds << tr("PDF for swell paper (*.pdf)") << tr("BRF for a braille embosser (*.brf)");
+  else
+    kinds << tr("G-code for a mill (*.nc)") << tr("SVG for a laser cutter (*.svg)");
+  return kinds;
+}
+
 void SolidDialog::ask_and_save() {
   QFileDialog dialog(this, tr("Save the model"));
   dialog.setObjectName(QStringLiteral("solid_file_dialog"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setNameFilters({tr("3MF, with its size in millimetres (*.3mf)"), tr("STL (*.stl)")});
+  dialog.setNameFilters(file_kinds());
   dialog.setDefaultSuffix(QStringLiteral("3mf"));
   connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-    dialog.setDefaultSuffix(filter.contains(QLatin1String("stl")) ? QStringLiteral("stl")
-                                                                  : QStringLiteral("3mf"));
+    dialog.setDefaultSuffix(filter.section(QLatin1Char('.'), -1).remove(QLatin1Char(')')));
   });
   dialog.setDirectory(parts_.preferences().start_folder());
   dialog.selectFile(file_name(subject_.name));
@@ -235,6 +260,11 @@ void SolidDialog::ask_and_save() {
 void SolidDialog::save(const QString& path) {
   if (!solid_) return;
   save_->setEnabled(false);
+  if (const auto kind = practice::touch_kind_of(path.toStdString()); kind) {
+    return maker_.save(practice::TouchRequest{*kind, subject_.tablets, subject_.plot, settings(),
+                                              machines_->machines(), subject_.name.toStdString()},
+                       path.toStdString());
+  }
   maker_.save(solid_, path.toStdString(), subject_.name.toStdString());
 }
 

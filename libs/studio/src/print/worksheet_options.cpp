@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QFontInfo>
 #include <QFormLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
@@ -51,13 +52,17 @@ WorksheetOptions::WorksheetOptions(const study::LearnerStore& store, char32_t sh
   text_->setPlaceholderText(tr("Paste a text here"));
   form_->addRow(tr("Te&xt"), text_);
 
-  layout_ = add_box("worksheet_layout", tr("&Kind"),
-                    {tr("Practice sheet"), tr("Quiz"), tr("Flash cards"), tr("Manuscript paper")});
-  paper_ = add_box("worksheet_paper", tr("&Paper"), {tr("A4"), tr("B5"), tr("Letter")});
+  layout_ = add_box(
+      "worksheet_layout", tr("&Kind"),
+      {tr("Practice sheet"), tr("Quiz"), tr("Flash cards"), tr("Manuscript paper"), tr("Brush sheet")});
+  paper_ = add_box("worksheet_paper", tr("&Paper"), {tr("A4"), tr("B5"), tr("Letter"), tr("Hanshi")});
   cell_ = add_spin("worksheet_cell", tr("Cell si&ze"), static_cast<int>(print::kSmallestCell_mm),
                    static_cast<int>(print::kLargestCell_mm), tr(" mm"));
   guide_ = add_box("worksheet_guide", tr("&Guide lines"),
                    {tr("None"), tr("Cross 十"), tr("Four fields 田"), tr("Eight parts 米")});
+  QStringList counts;
+  for (const int count : print::kPerSheet) counts.push_back(QString::number(count));
+  per_sheet_ = add_box("worksheet_per_sheet", tr("C&haracters per sheet"), counts);
   whole_page_ = add_check("worksheet_whole_page", tr("&One character a page"));
   rows_ = add_spin("worksheet_rows", tr("&Rows per character"), 0, print::kMostRows, {});
   copies_ = add_spin("worksheet_copies", tr("Cells to &trace, fading"), 0, print::kMostRows, {});
@@ -117,7 +122,12 @@ void WorksheetOptions::show_what_matters() {
   const auto layout = static_cast<Layout>(layout_->currentIndex());
   const bool manuscript = layout == Layout::manuscript;
   const bool practice = layout == Layout::practice;
+  const bool brush = layout == Layout::brush;
   const bool has_cells = practice || layout == Layout::quiz;
+  const auto set_label = [this](QWidget* field, const QString& text) {
+    field->setAccessibleName(QString(text).remove(QLatin1Char('&')));
+    if (auto* label = qobject_cast<QLabel*>(form_->labelForField(field))) label->setText(text);
+  };
   const auto show = [this](QWidget* field, bool on) {
     field->setVisible(on);
     if (auto* label = form_->labelForField(field)) label->setVisible(on);
@@ -126,18 +136,21 @@ void WorksheetOptions::show_what_matters() {
   show(list_, !manuscript && source == WorksheetSource::list);
   show(text_, manuscript || source == WorksheetSource::text);
   show(cell_, has_cells);
-  show(guide_, has_cells);
+  show(guide_, has_cells || brush);
+  show(per_sheet_, brush);
   show(whole_page_, practice);
-  show(rows_, practice && !whole_page_->isChecked());
-  show(copies_, practice);
+  show(rows_, brush || (practice && !whole_page_->isChecked()));
+  show(copies_, practice || brush);
+  set_label(rows_, brush ? tr("Sheets o&f the same characters") : tr("&Rows per character"));
+  set_label(copies_, brush ? tr("Sheets to &trace, fading") : tr("Cells to &trace, fading"));
   show(steps_, practice);
-  show(numbers_, practice || layout == Layout::cards);
-  show(arrows_, practice);
+  show(numbers_, practice || brush || layout == Layout::cards);
+  show(arrows_, practice || brush);
   show(facts_, practice);
   show(answers_, layout == Layout::quiz);
   show(vertical_, has_cells);
   show(booklet_, has_cells);
-  show(name_line_, has_cells);
+  show(name_line_, has_cells || brush);
   show(title_, has_cells);
 }
 
@@ -155,6 +168,7 @@ void WorksheetOptions::set_choice(const practice::WorksheetChoice& choice) {
   language_->setCurrentIndex(static_cast<int>(sheet.language));
   cell_->setValue(static_cast<int>(std::lround(sheet.cell_mm)));
   rows_->setValue(sheet.rows);
+  per_sheet_->setCurrentText(QString::number(sheet.per_sheet));
   copies_->setValue(sheet.copies);
   whole_page_->setChecked(sheet.whole_page);
   steps_->setChecked(sheet.steps);
@@ -182,6 +196,7 @@ practice::WorksheetChoice WorksheetOptions::choice() const {
   sheet.language = static_cast<print::Language>(language_->currentIndex());
   sheet.cell_mm = cell_->value();
   sheet.rows = rows_->value();
+  sheet.per_sheet = per_sheet_->currentText().toInt();
   sheet.copies = copies_->value();
   sheet.whole_page = whole_page_->isChecked();
   sheet.steps = steps_->isChecked();

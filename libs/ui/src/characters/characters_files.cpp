@@ -39,13 +39,15 @@ void Characters::ask_model() {
     return parts().announce(Feedback::advice, tr("Finish this character first: a model would show it."));
   const auto& own = practice_.own();
   if (own.tablet)
-    return ask_solid(
-        parts(),
-        {to_text(own.name), {{tablet::stroke_lines(own.tablet->lines()), own.tablet->height_map()}}, {}});
+    return ask_solid(parts(), {to_text(own.name),
+                               {{{tablet::stroke_lines(own.tablet->lines()), own.tablet->height_map()}, {}}},
+                               {}});
   const auto& sheet = practice_.sheet();
   if (!sheet || sheet->character.strokes.empty())
     return parts().announce(Feedback::advice, tr("There is no tablet to make a model of yet."));
-  ask_solid(parts(), {to_text(sheet->character.code_point), {{sheet->character.lines(), {}}}, {}});
+  ask_solid(parts(), {to_text(sheet->character.code_point),
+                      {{{sheet->character.lines(), {}}, practice::touch_label(sheet->character)}},
+                      {}});
 }
 
 }  // namespace nazori::ui

@@ -30,7 +30,9 @@ DevicePage::DevicePage(WindowParts& parts)
   settings.beginGroup(id());
   setup_.load(read_settings(settings));
   parts.tablet().set_material(setup_.memory().material);
+  parts.tablet().set_tip(setup_.memory().tip_radius_m);
   feel_panel_->show_material(setup_.memory().material);
+  feel_panel_->show_tip(setup_.memory().tip_radius_m);
   connect_actions();
   connect_panels();
   connect_stylus();
@@ -143,6 +145,11 @@ void DevicePage::connect_panels() {
   connect(feel_panel_, &FeelPanel::material_changed, this, [this](const haptics::Material& material) {
     setup_.set_material(material);
     parts().tablet().set_material(material);
+    parts().save_later();
+  });
+  connect(feel_panel_, &FeelPanel::tip_changed, this, [this](double radius_m) {
+    setup_.set_tip(radius_m);
+    parts().tablet().set_tip(radius_m);
     parts().save_later();
   });
 }

@@ -12,6 +12,7 @@
 
 #include "device/device_actions.h"
 #include "nazori/devices/tablet_device.h"
+#include "nazori/surface/ball_surface.h"
 #include "nazori/widgets/controls/flow_layout.h"
 #include "nazori/widgets/controls/number_slider.h"
 #include "nazori/widgets/controls/parts.h"
@@ -88,6 +89,15 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   connect(texture_, &QComboBox::currentIndexChanged, this, &FeelPanel::emit_material);
   column->addWidget(texture_);
   roughness_ = slider(tr("Roughness"), "material_roughness");
+  column->addWidget(heading(tr("Tip of the stylus"), content_));
+  tip_ = new NumberSlider(tr("Radius of the ball"), QStringLiteral("tip_radius"), 0,
+                          1e3 * surface::kLargestBall_m, 0.1, tr("%1 mm"), 1, content_);
+  column->addWidget(tip_);
+  auto* tip_hint = text_label("tip_hint", content_, "muted");
+  tip_hint->setText(
+      tr("0 is a point. A ball does not reach the bottom of a groove that is narrower than it."));
+  column->addWidget(tip_hint);
+  connect(tip_, &NumberSlider::moved, this, [this](double mm) { emit tip_changed(mm / 1e3); });
   column->addStretch(1);
   make_scrolling(this, content_);
   timer_.setInterval(kLook_ms);
@@ -145,6 +155,8 @@ void FeelPanel::show_material(const haptics::Material& material) {
   roughness_->set_value(material.roughness);
   showing_ = false;
 }
+
+void FeelPanel::show_tip(double radius_m) { tip_->set_value(1e3 * radius_m); }
 
 void FeelPanel::emit_material() {
   if (showing_) return;

@@ -31,9 +31,12 @@ class FeelPanel final : public QScrollArea {
   void watch(bool on);
   void show_strength(double strength, bool has_force);
   void show_material(const haptics::Material& material);
+  void show_tip(double radius_m);
 
  signals:
   void material_changed(nazori::haptics::Material material);
+  /// Radius of the ball at the tip [m]; 0: a point.
+  void tip_changed(double radius_m);
 
  private:
   enum Line : std::uint8_t { pose, buttons, force, rate, lateness, missed, delay, line_count };
@@ -46,7 +49,7 @@ class FeelPanel final : public QScrollArea {
   std::array<QLabel*, line_count> lines_{};
   QLabel* strength_;
   QWidget* trial_;
-  NumberSlider *stiffness_, *damping_, *hold_, *slide_, *popthrough_, *roughness_;
+  NumberSlider *stiffness_, *damping_, *hold_, *slide_, *popthrough_, *roughness_, *tip_;
   QComboBox* texture_;
   haptics::Material material_;
   bool showing_ = false;

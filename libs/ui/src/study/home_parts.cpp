@@ -21,6 +21,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr double kCorner = 10;
+constexpr int kMostPadding = 20;  ///< of the start button: large text needs the room for itself
 constexpr double kTile_pt = 48;
 constexpr double kInkSide_em = 4.2;
 constexpr double kInkPen = 0.045;
@@ -51,7 +52,7 @@ void StartButton::show_work(const QString& word, const QString& details) {
   update();
 }
 
-int StartButton::padding() const { return em_of(this) * 5 / 4; }
+int StartButton::padding() const { return std::min(em_of(this) * 5 / 4, kMostPadding); }
 
 int StartButton::heightForWidth(int width) const {
   const int room = std::max(1, width - 2 * padding());

@@ -33,6 +33,7 @@ constexpr int kMargin = 28;
 constexpr int kGap = 18;
 constexpr int kWidest_em = 88;      ///< of the content: what is farther apart does not belong together
 constexpr int kTwoColumns_em = 48;  ///< narrower content is one column
+constexpr int kLow_em = 18;         ///< a lower view leaves its room to the button that starts
 constexpr std::size_t kMostNew = 10;
 constexpr std::size_t kMostHard = 3;
 constexpr std::size_t kMostInk = 200;
@@ -132,7 +133,6 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
   grid_->setHorizontalSpacing(2 * kGap);
   grid_->setVerticalSpacing(kGap);
   auto* column = new QVBoxLayout(content_);
-  column->setSpacing(kGap * 4 / 3);
   column->addLayout(header_);
   column->addLayout(grid_);
   column->addStretch(1);
@@ -363,12 +363,14 @@ void HomeView::show_all_ink(bool all) {
 
 void HomeView::fit() {
   const int em = QFontInfo(font()).pixelSize();
+  const bool low = viewport()->height() < em * kLow_em;
   QFont large = font();
-  large.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.7);
+  large.setPointSizeF(QFontInfo(font()).pointSizeF() * (low ? 1.2 : 1.7));
   greeting_->setFont(large);
   const int room = std::min(viewport()->width() - 2 * kMargin, em * kWidest_em);
   const int beside = std::max(kMargin, (viewport()->width() - room) / 2);
-  content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
+  content_->layout()->setContentsMargins(beside, low ? kGap / 2 : kMargin, beside, kMargin);
+  content_->layout()->setSpacing(low ? kGap / 2 : kGap * 4 / 3);
   const bool two = room >= em * kTwoColumns_em;
   header_->addWidget(greeting_, 0, 0);
   header_->addWidget(day_, two ? 0 : 1, two ? 1 : 0);

@@ -321,8 +321,9 @@ void MainWindow::Inside::record(bool on) {
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
   const QString path = dialog.selectedFiles().front();
   const auto& tablet = parts.tablet().tablet();
-  const auto started = recording.start(path.toStdString(), current->title().toStdString(),
-                                       tablet ? tablet->shape() : geometry::TabletShape{});
+  const auto started =
+      recording.start(path.toStdString(), current->title().toStdString(),
+                      tablet ? tablet->shape() : geometry::TabletShape{}, parts.tablet().tip_radius_m());
   if (!started) {
     parts.announce(Feedback::wrong,
                    MainWindow::tr("%1: %2. Nothing is recorded.").arg(path, reason(started.error())));

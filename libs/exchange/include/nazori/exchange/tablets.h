@@ -45,6 +45,27 @@ struct SolidModel {
 };
 [[nodiscard]] Value to_json(const SolidModel& model);
 
+/// A file for a mill, a laser, swell paper or an embosser (docs/schemas/tablets.json, model).
+struct MadeTouchFile {
+  std::string subject;  ///< a character, a word or the name of a file
+  std::string file;
+  std::string kind;     ///< mill, laser, swell-paper or embosser
+  double width_mm = 0;  ///< of the plate or the paper
+  double height_mm = 0;
+  int pages = 1;                    ///< of paper
+  std::vector<int> without_number;  ///< strokes (from 1) for whose number there was no room
+  double closest_mm = 0;            ///< swell paper: between lines side by side; 0: none or not known
+  /// What a mill does; of other kinds not written.
+  struct Milling {
+    int passes = 0;
+    double deepest_mm = 0;
+    double cut_length_mm = 0;
+    double minutes = 0;
+  };
+  std::optional<Milling> milling;
+};
+[[nodiscard]] Value to_json(const MadeTouchFile& made);
+
 /// A worksheet that was written (docs/schemas/tablets.json, worksheet).
 struct PrintedSheet {
   std::string file;
@@ -100,7 +121,8 @@ struct FeltMotion {
   std::string output;  ///< file
   recording::SampleStatistics samples;
   haptics::ServoTiming timing;
-  double took_s = 0;  ///< for computing
+  double took_s = 0;        ///< for computing
+  double tip_radius_m = 0;  ///< of the ball at the tip; 0: a point
   /// Ratio of the hand's time to the computing time.
   [[nodiscard]] double real_time_factor() const;
 };

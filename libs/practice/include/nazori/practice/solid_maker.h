@@ -10,6 +10,7 @@
 #include "nazori/base/result.h"
 #include "nazori/base/signal.h"
 #include "nazori/practice/solid_model.h"
+#include "nazori/practice/touch_file.h"
 
 namespace nazori::practice {
 
@@ -18,6 +19,17 @@ struct SolidRequest {
   std::vector<SolidTablet> tablets;
   functions::SharedDrawing plot;  ///< null: of the tablets
   SolidSettings settings;         ///< of a plot only the side of the square and the mould count
+};
+
+/// A file for a mill, a laser, swell paper or an embosser, as touch_file() and plot_touch_file() make
+/// them.
+struct TouchRequest {
+  TouchKind kind = TouchKind::mill;
+  std::vector<LabelledTablet> tablets;
+  functions::SharedDrawing plot;  ///< null: of the tablets
+  SolidSettings settings;         ///< of a plot only the side of the square counts
+  TouchMachines machines;
+  std::string subject;
 };
 
 /// A solid that was made, and how it looks.
@@ -45,6 +57,8 @@ class SolidMaker {
   /// Writes a solid as save_solid() does; `saved` or `not_saved` follows.
   void save(std::shared_ptr<const Solid> solid, const std::filesystem::path& path,
             const std::string& subject);
+  /// Makes and writes such a file, completely or not at all; `saved` or `not_saved` follows.
+  void save(TouchRequest request, const std::filesystem::path& path);
 
   base::Signal<const SolidView&> shown;
   base::Signal<const base::Error&> refused;

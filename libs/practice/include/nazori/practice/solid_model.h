@@ -14,6 +14,7 @@
 #include "nazori/functions/drawing.h"
 #include "nazori/kanji/character.h"
 #include "nazori/model/mesh.h"
+#include "nazori/model/raised.h"
 #include "nazori/model/tablet_plate.h"
 #include "nazori/surface/height_map.h"
 
@@ -64,6 +65,11 @@ struct SolidPlate {
 [[nodiscard]] base::Result<SolidPlate> tablet_plate(std::span<const SolidTablet> tablets,
                                                     const SolidSettings& settings,
                                                     const carving::Brush& brush = {});
+
+/// A plot as fingers read it: its curves, its axes where they are visible, and its ticks. A surface refers to
+/// the relief of the picture.
+[[nodiscard]] model::RaisedPlot raised_plot_of(const functions::Plot& plot,
+                                               const functions::Picture& picture);
 
 /// The plate of a plot: raised curves or a raised surface, axes, and ticks with numbers in braille.
 /// @param side_mm  of the square of the plot. @param mould  the negative, to cast it.

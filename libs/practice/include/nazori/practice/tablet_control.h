@@ -13,6 +13,7 @@
 #include "nazori/base/signal.h"
 #include "nazori/devices/slope_gain.h"
 #include "nazori/devices/tablet_device.h"
+#include "nazori/practice/felt_tablet.h"
 #include "nazori/practice/traced_ink.h"
 #include "nazori/tablet/carved_tablet.h"
 #include "nazori/view/tablet_view.h"
@@ -133,6 +134,11 @@ class TabletControl {
   void set_judged(bool judged);
   /// The material of the tablet.
   void set_material(const haptics::Material& material);
+  /// Feels every tablet with a ball of this radius at the tip of the stylus; 0: with a point. The force fades
+  /// in when the surface of the ball is ready, a few milliseconds later at 128 samples a side.
+  /// @param radius_m  as for FeltTablet::set_radius().
+  void set_tip(double radius_m) { felt_.set_radius(radius_m); }
+  [[nodiscard]] double tip_radius_m() const { return felt_.radius_m(); }
   /// Pushes the pressed stylus deeper (positive) or less deep, in notches of the wheel.
   void push_stylus(double notches);
   [[nodiscard]] bool is_pressed() const { return pointer_.pressed; }
@@ -213,6 +219,7 @@ class TabletControl {
   const base::Clock& clock_;
   devices::TabletDevice device_;
   base::Connection leaving_, changed_;
+  FeltTablet felt_;  // declared last, so that its thread ends first
 };
 
 }  // namespace nazori::practice

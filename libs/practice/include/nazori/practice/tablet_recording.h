@@ -38,8 +38,9 @@ class TabletRecording {
 
   /// Ends the present recording, if any, and begins another one.
   /// @param path  .nzr or .csv. @param character  what is on the tablet, for people.
+  /// @param tip_radius_m  of the ball at the tip of the stylus; 0: a point.
   [[nodiscard]] base::Result<void> start(const Path& path, const std::string& character,
-                                         const geometry::TabletShape& shape);
+                                         const geometry::TabletShape& shape, double tip_radius_m = 0);
   /// @return the files that were recorded; the error of the last one. For a table, `exported` follows.
   base::Result<std::vector<Path>> finish();
   /// Whether a table is being written. A table that is unfinished when the program ends is written at the

@@ -84,6 +84,11 @@ class BrushPage final : public Page {
   /// Shows the model, and asks for strokes that are not known yet.
   void request_model();
   void show_model();
+  void request_advice();
+  void show_advice(const std::vector<calligraphy::CharacterAdvice>& advice);
+  void clear_advice();
+  /// Where the models stand.
+  [[nodiscard]] std::vector<calligraphy::RuledSquare> model_squares() const;
   [[nodiscard]] std::u32string model_text() const;
   [[nodiscard]] std::vector<char32_t> models() const;
   [[nodiscard]] QString model_words() const;
@@ -102,7 +107,7 @@ class BrushPage final : public Page {
   bool starts_ = false;      ///< the first ink is chosen, which is not announced
   bool warned_dry_ = false;  ///< said once for each time that the brush runs dry
   int part_ = 0;             ///< of a model text that needs several sheets
-  std::map<char32_t, std::vector<kanji::StrokeLine>> strokes_;
+  std::map<char32_t, kanji::Character> characters_;
   QTimer timer_;
   QElapsedTimer since_tick_;
   EventLoopInbox inbox_;

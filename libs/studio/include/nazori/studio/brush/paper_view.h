@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "nazori/calligraphy/advice.h"
 #include "nazori/calligraphy/brush_writing.h"
 #include "nazori/calligraphy/ruling.h"
 #include "nazori/studio/brush/brush_cursor.h"
@@ -30,6 +31,8 @@ class PaperView final : public QWidget {
   /// @param strokes  of all models, where they are on the sheet. @param squares  that are ruled.
   void show_model(std::vector<calligraphy::ModelStroke> strokes,
                   std::vector<calligraphy::RuledSquare> squares, ModelPlace place);
+  /// Corrections over the sheet; they are no part of it.
+  void show_marks(std::vector<calligraphy::CorrectionMark> marks);
   void set_left_hand(bool left);
   void set_shows_brush(bool shows);
   void refresh_appearance();
@@ -37,6 +40,7 @@ class PaperView final : public QWidget {
   [[nodiscard]] const SheetPlace& place() const { return place_; }
   /// What is shown of the sheet, without model and brush.
   [[nodiscard]] const QImage& picture() const { return picture_; }
+  [[nodiscard]] const std::vector<calligraphy::CorrectionMark>& marks() const { return marks_; }
   [[nodiscard]] QSize sizeHint() const override { return {600, 600}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {220, 220}; }
 
@@ -78,6 +82,7 @@ class PaperView final : public QWidget {
   QImage guides_;   ///< model and ruling, multiplied with the sheet
   std::vector<calligraphy::ModelStroke> model_;
   std::vector<calligraphy::RuledSquare> squares_;
+  std::vector<calligraphy::CorrectionMark> marks_;
   ModelPlace model_place_ = ModelPlace::beneath;
   calligraphy::BrushShape brush_;
   QColor ink_;  ///< in the brush

@@ -42,6 +42,8 @@ class BrushToolsPanel final : public QScrollArea {
   void show_text(const QString& text);
   /// What stands as model now, in words.
   void show_model_words(const QString& words);
+  /// Sentences of advice; none: takes them away.
+  void show_advice(const QStringList& sentences);
   void focus_text();
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -62,6 +64,7 @@ class BrushToolsPanel final : public QScrollArea {
 
   QWidget* content_;
   InkGauge* gauge_;
+  QLabel *advice_heading_, *advice_words_;
   QLabel *brush_words_, *paper_words_, *model_words_;
   QComboBox *size_, *hair_, *ink_, *paper_, *ruling_, *place_;
   QLineEdit* text_;

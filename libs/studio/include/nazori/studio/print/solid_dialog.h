@@ -17,15 +17,16 @@ class QSpinBox;
 
 namespace nazori::ui {
 
+class MachineOptions;
 class ReliefView;
 class SpokenLine;
 class WindowParts;
 
 /// What is made to be touched.
 struct SolidSubject {
-  QString name;                                ///< of the file and of the object in it: "休", "y = sin(x)"
-  std::vector<practice::SolidTablet> tablets;  ///< empty for a plot
-  functions::SharedDrawing plot;               ///< null for tablets
+  QString name;  ///< of the file and of the object in it: "休", "y = sin(x)"
+  std::vector<practice::LabelledTablet> tablets;  ///< empty for a plot
+  functions::SharedDrawing plot;                  ///< null for tablets
 };
 
 /// Make a model to touch: how, how it looks from above, its figures, and a button that saves it for a
@@ -36,7 +37,8 @@ class SolidDialog final : public QDialog {
   SolidDialog(WindowParts& parts, SolidSubject subject, QWidget* parent);
   ~SolidDialog() override;
 
-  /// Writes the model that is shown, without asking for a name.
+  /// Writes the model that is shown, or a file for a machine if the name ends as its files do, without asking
+  /// for a name.
   void save(const QString& path);
 
  protected:
@@ -53,6 +55,8 @@ class SolidDialog final : public QDialog {
   void show_view(const practice::SolidView& view);
   void say(const QString& sentence, bool wrong);
   void fit_options();
+  [[nodiscard]] bool is_surface() const;
+  [[nodiscard]] QStringList file_kinds() const;
   void ask_and_save();
 
   WindowParts& parts_;
@@ -60,6 +64,7 @@ class SolidDialog final : public QDialog {
   QComboBox* kind_;
   QSpinBox* size_;
   QCheckBox *numbers_, *dots_, *hole_, *mould_;
+  MachineOptions* machines_ = nullptr;
   ReliefView* view_;
   QScrollArea* area_;  ///< of the options
   QBoxLayout* sides_;

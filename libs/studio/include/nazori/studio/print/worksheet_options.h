@@ -42,7 +42,7 @@ class WorksheetOptions final : public QWidget {
   QComboBox *source_, *layout_;
   ListChoice* list_;
   QPlainTextEdit* text_;
-  QComboBox *paper_, *guide_, *language_;
+  QComboBox *paper_, *guide_, *per_sheet_, *language_;
   QSpinBox *cell_, *rows_, *copies_;
   QCheckBox *whole_page_, *steps_, *numbers_, *arrows_, *facts_, *answers_;
   QCheckBox *vertical_, *booklet_, *name_line_;
