@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/author/own_stroke.h"
+
+namespace nazori::author {
+
+std::vector<kanji::StrokeLine> stroke_lines(std::span<const OwnStroke> strokes) {
+  std::vector<kanji::StrokeLine> lines;
+  lines.reserve(strokes.size());
+  for (const OwnStroke& stroke : strokes) {
+    kanji::StrokeLine line;
+    line.points.reserve(stroke.points.size());
+    for (const GroovePoint& point : stroke.points) line.points.push_back(point.at);
+    line.ending = stroke.ending;
+    line.number_position = stroke.number_position;
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace nazori::author
