@@ -17,4 +17,11 @@ std::vector<kanji::StrokeLine> stroke_lines(std::span<const OwnStroke> strokes) 
   return lines;
 }
 
+std::vector<carving::Groove> grooves_of(std::span<const OwnStroke> strokes) {
+  std::vector<carving::Groove> grooves;
+  grooves.reserve(strokes.size());
+  for (const OwnStroke& stroke : strokes) grooves.push_back(stroke.points);
+  return grooves;
+}
+
 }  // namespace nazori::author

@@ -5,18 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "nazori/carving/groove.h"
 #include "nazori/geometry/point.h"
 #include "nazori/kanji/stroke.h"
 
 namespace nazori::author {
 
 /// The groove at one point of its centre line.
-struct GroovePoint {
-  geometry::GlyphPoint at;
-  double half_width = 0;  ///< [glyph units, of 109]
-  double depth = 1;       ///< fraction of the tablet's depth, (0, 1]
-  friend bool operator==(const GroovePoint&, const GroovePoint&) = default;
-};
+using GroovePoint = carving::GroovePoint;
 
 /// A stroke that somebody made: its groove from its start to its end. A stroke of a database has one width
 /// for its whole body; this one has a width and a depth at each point.
@@ -30,5 +26,8 @@ struct OwnStroke {
 
 /// The centre lines, for what draws, judges or guides along strokes.
 [[nodiscard]] std::vector<kanji::StrokeLine> stroke_lines(std::span<const OwnStroke> strokes);
+
+/// The grooves, to be carved.
+[[nodiscard]] std::vector<carving::Groove> grooves_of(std::span<const OwnStroke> strokes);
 
 }  // namespace nazori::author
