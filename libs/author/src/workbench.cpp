@@ -82,14 +82,10 @@ bool Workbench::apply(CharacterEditor::Touched touched) {
 }
 
 void Workbench::keep_selection_valid() {
-  selection_ = [this] {
-    Selection kept = selection_;
-    const auto& strokes = character().strokes;
-    if (kept.stroke && *kept.stroke >= strokes.size()) kept = {};
-    if (kept.point && (!kept.stroke || *kept.point >= strokes[*kept.stroke].points.size()))
-      kept.point.reset();
-    return kept;
-  }();
+  const auto& strokes = character().strokes;
+  if (selection_.stroke && *selection_.stroke >= strokes.size()) selection_ = {};
+  if (!selection_.stroke || selection_.point >= strokes[*selection_.stroke].points.size())
+    selection_.point.reset();
 }
 
 void Workbench::move_pen(const geometry::WrittenPoint<geometry::GlyphFrame>& pen, bool down) {
@@ -273,6 +269,18 @@ void Workbench::press_at_cursor(double time_s) {
   if (uses_movement()) return move_pen(pen, !down_);
   move_pen(pen, true);
   move_pen(pen, false);
+}
+
+bool Workbench::insert_point() {
+  if (!selection_.stroke) return false;
+  const auto& points = character().strokes[*selection_.stroke].points;
+  if (points.size() < 2) return false;
+  const std::size_t from = std::min(selection_.point.value_or(0), points.size() - 2);
+  const GlyphPoint between = (points[from].at + points[from + 1].at) * 0.5;
+  if (!apply(editor_.insert_point(*selection_.stroke, between))) return true;
+  select({selection_.stroke, from + 1});
+  edited(EditKind::insert_point, EditWay::made);
+  return true;
 }
 
 bool Workbench::remove() {

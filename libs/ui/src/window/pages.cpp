@@ -3,6 +3,7 @@
 #include "device/device_page.h"
 #include "functions/functions_page.h"
 #include "nazori/studio/brush/brush_page.h"
+#include "nazori/studio/workshop/workshop_page.h"
 #include "nazori/widgets/page/page.h"
 #include "progress/progress.h"
 #include "start/check_page.h"
@@ -21,8 +22,8 @@ std::unique_ptr<Page> make(WindowParts& parts) {
 
 std::vector<MakePage> registered_pages() {
   return {
-      make<Home>,       make<Characters>, make<Progress>,  make<FunctionsPage>,
-      make<DevicePage>, make<BrushPage>,  make<StartPage>, make<CheckPage>,
+      make<Home>,      make<Characters>,   make<Progress>,  make<FunctionsPage>, make<DevicePage>,
+      make<BrushPage>, make<WorkshopPage>, make<StartPage>, make<CheckPage>,
   };
 }
 

@@ -113,6 +113,8 @@ class Workbench {
   void press_at_cursor(double time_s);
 
   // Edits of the chosen stroke. @return false where nothing is chosen that they could change.
+  /// Adds a point halfway between the chosen point and the next one; at the end, before the last one.
+  bool insert_point();
   bool remove();
   bool reverse();
   /// Splits at the chosen point.

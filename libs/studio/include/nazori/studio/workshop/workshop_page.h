@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nazori/author/tracer.h"
+#include "nazori/author/workbench.h"
+#include "nazori/kanji/character.h"
+#include "nazori/widgets/page/page.h"
+
+namespace nazori::ui {
+
+class CharacterCanvas;
+class WorkshopActions;
+class WorkshopPanel;
+
+/// The page for making characters and signs: draw and correct strokes, work on the relief by hand, find
+/// strokes in a picture, check, save, and feel the result.
+class WorkshopPage final : public Page {
+  Q_OBJECT
+ public:
+  explicit WorkshopPage(WindowParts& parts);
+  ~WorkshopPage() override;
+
+  [[nodiscard]] QString title() const override;
+  [[nodiscard]] QWidget* instead_of_tablet() const override;
+  [[nodiscard]] ActionSet* actions() const override;
+  [[nodiscard]] QList<Tool> tools() const override;
+
+  void enter() override;
+  void leave() override;
+  void refresh_appearance() override;
+  void save(QSettings& settings) const override;
+  [[nodiscard]] bool may_close(bool quits) override;
+
+  [[nodiscard]] bool opens(const QStringList& paths) const override;
+  void open_files(const QStringList& paths) override;
+  [[nodiscard]] bool has_files() const override { return true; }
+  void ask_and_open() override;
+  void ask_and_save() override;
+
+  /// Writes without asking for a name, in the format of its ending.
+  void write(const QString& path);
+  /// Finds the strokes of a picture; they take the place of what is there.
+  /// @param character  that it shows; 0: not known.
+  void trace_picture(const QString& path, char32_t character);
+  /// The same of a character of a font.
+  void trace_font(const QString& family, char32_t character);
+  /// Whether strokes are being looked for.
+  [[nodiscard]] bool is_tracing() const;
+  [[nodiscard]] const author::Workbench& bench() const { return *bench_; }
+
+ private:
+  void load(const QSettings& settings);
+  void connect_actions();
+  void connect_edits();
+  void connect_canvas();
+  void connect_panel();
+  void connect_tracing();
+  void show_bench();
+  void choose_tool(author::Tool tool);
+  void change_width(double factor);
+  void change_depth(double factor);
+  void choose_stamp();
+  void choose_ending();
+  void say_selection();
+  /// Announces that an action found nothing to work on.
+  void say_nothing_chosen();
+  void show_check();
+  void clear_check();
+  void describe();
+  void feel();
+
+  /// The file beside which unsaved work is kept.
+  [[nodiscard]] std::filesystem::path unnamed_journal() const;
+  void begin(author::OwnCharacter character, const QString& sentence);
+  void keep_journal();
+  void recover();
+  void open(const QString& path);
+  bool may_replace();
+  void ask_and_write(const QString& suffix);
+  void trace(author::TraceRequest request, char32_t character);
+  void ask_picture();
+  void ask_font();
+  void ask_copy();
+  [[nodiscard]] QString proposed_name() const;
+  [[nodiscard]] std::u32string named_character() const;
+
+  WorkshopActions* actions_;
+  QWidget* widget_;
+  std::unique_ptr<author::Workbench> bench_;
+  CharacterCanvas* canvas_;
+  WorkshopPanel* panel_;
+  QString file_;  ///< path of the document; empty where it has none
+  bool entered_ = false;
+  bool is_checked_ = false;
+  bool journal_failed_ = false;  ///< said once for each document
+  std::map<char32_t, kanji::Character> characters_;
+  std::optional<author::TraceRequest> waiting_;  ///< for the strokes of asked_
+  char32_t asked_ = 0;     ///< the character whose strokes are waited for; without waiting_ it is copied
+  char32_t traced_ = 0;    ///< the character that is looked for
+  author::Tracer tracer_;  // declared last, so that its thread ends first
+};
+
+}  // namespace nazori::ui
