@@ -444,6 +444,16 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::TraceDialog</name>
+    <message numerus="yes">
+        <source>%n fonts have this character.</source>
+        <translation>
+            <numerusform>%n font has this character.</numerusform>
+            <numerusform>%n fonts have this character.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::WorksheetDialog</name>
     <message numerus="yes">
         <source>Saved %n pages as %1.</source>
@@ -464,6 +474,57 @@
         <translation>
             <numerusform>%n character</numerusform>
             <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorkshopPage</name>
+    <message numerus="yes">
+        <source>Your work that was interrupted is back: %n changes.</source>
+        <translation>
+            <numerusform>Your work that was interrupted is back: %n change.</numerusform>
+            <numerusform>Your work that was interrupted is back: %n changes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Opened %1, with %n changes that were not saved.</source>
+        <translation>
+            <numerusform>Opened %1, with %n change that was not saved.</numerusform>
+            <numerusform>Opened %1, with %n changes that were not saved.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes found in %1.</source>
+        <translation>
+            <numerusform>%n stroke found in %1.</numerusform>
+            <numerusform>%n strokes found in %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorkshopPanel</name>
+    <message numerus="yes">
+        <source>%n remarks</source>
+        <translation>
+            <numerusform>%n remark</numerusform>
+            <numerusform>%n remarks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorkshopWords</name>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes.</source>
+        <translation>
+            <numerusform>%n stroke.</numerusform>
+            <numerusform>%n strokes.</numerusform>
         </translation>
     </message>
 </context>

@@ -1735,6 +1735,13 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::CharacterCanvas</name>
+    <message>
+        <source>Tablet in the making</source>
+        <translation>作っている文字板</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::CharacterTile</name>
     <message>
         <source>%1, %2</source>
@@ -7470,6 +7477,59 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::TraceDialog</name>
+    <message>
+        <source>Character</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Strokes of a font</source>
+        <translation>フォントから画を見つける</translation>
+    </message>
+    <message>
+        <source>Strokes of a picture</source>
+        <translation>画像から画を見つける</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>&amp;Character</source>
+        <translation>文字(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>フォント</translation>
+    </message>
+    <message>
+        <source>&amp;Font</source>
+        <translation>フォント(&amp;F)</translation>
+    </message>
+    <message>
+        <source>If you type the character, its strokes get their order, direction and ending. Leave it empty for a sign of your own.</source>
+        <translation>文字を入力すると、書き順、向き、終わり方が付きます。自分の記号のときは空のままにします。</translation>
+    </message>
+    <message>
+        <source>&amp;Find strokes</source>
+        <translation>画を見つける(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Type a character.</source>
+        <translation>文字を入力してください。</translation>
+    </message>
+    <message>
+        <source>No installed font has this character.</source>
+        <translation>この文字のあるフォントがありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fonts have this character.</source>
+        <translation>
+            <numerusform>この文字のあるフォント：%n種類。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::TroubleWords</name>
     <message>
         <source>%1 is often forgotten.</source>
@@ -7884,6 +7944,1038 @@ Columns and rows:</source>
     <message>
         <source>Japanese</source>
         <translation>日本語</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorkshopActions</name>
+    <message>
+        <source>&amp;Draw strokes</source>
+        <translation>画をかく(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Draw strokes with pen or mouse; pressure makes them wider</source>
+        <translation>ペンかマウスで画をかきます。筆圧で太くなります</translation>
+    </message>
+    <message>
+        <source>&amp;Place points</source>
+        <translation>点を置く(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Click the start, the bends and the end of a stroke. Enter: finish it</source>
+        <translation>画の書き始め、曲がり角、終わりをクリックします。Enter で完成します</translation>
+    </message>
+    <message>
+        <source>&amp;Edit strokes</source>
+        <translation>画を直す(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Choose and move points and strokes</source>
+        <translation>点や画を選んで動かします</translation>
+    </message>
+    <message>
+        <source>&amp;Groove</source>
+        <translation>溝(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Cut a groove into the relief by hand</source>
+        <translation>手で溝を彫ります</translation>
+    </message>
+    <message>
+        <source>&amp;Raise</source>
+        <translation>盛り上げる(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Raise the relief by hand</source>
+        <translation>手で面を盛り上げます</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth</source>
+        <translation>ならす(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Even out the relief</source>
+        <translation>面をなめらかにします</translation>
+    </message>
+    <message>
+        <source>E&amp;rase</source>
+        <translation>元に戻す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take back what was cut or raised by hand; strokes stay</source>
+        <translation>手で彫った所や盛った所を元に戻します。画は残ります</translation>
+    </message>
+    <message>
+        <source>Sta&amp;mp</source>
+        <translation>型押し(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Press a shape into the relief</source>
+        <translation>面に形を押します</translation>
+    </message>
+    <message>
+        <source>Straight &amp;lines</source>
+        <translation>直線にする(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Every stroke becomes one straight line</source>
+        <translation>画が1本の直線になります</translation>
+    </message>
+    <message>
+        <source>M&amp;irrored</source>
+        <translation>左右対称(&amp;I)</translation>
+    </message>
+    <message>
+        <source>The tools for the relief work on both sides of the middle</source>
+        <translation>面の道具が中央線の両側で働きます</translation>
+    </message>
+    <message>
+        <source>&amp;Wider</source>
+        <translation>太く(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Make the chosen stroke or point, or else the tool, wider</source>
+        <translation>選んだ画か点を、なければ道具を太くします</translation>
+    </message>
+    <message>
+        <source>&amp;Thinner</source>
+        <translation>細く(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Make the chosen stroke or point, or else the tool, thinner</source>
+        <translation>選んだ画か点を、なければ道具を細くします</translation>
+    </message>
+    <message>
+        <source>Dee&amp;per</source>
+        <translation>深く(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Make the chosen stroke or point, or else the tool, deeper</source>
+        <translation>選んだ画か点を、なければ道具を深くします</translation>
+    </message>
+    <message>
+        <source>S&amp;hallower</source>
+        <translation>浅く(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Make the chosen stroke or point, or else the tool, shallower</source>
+        <translation>選んだ画か点を、なければ道具を浅くします</translation>
+    </message>
+    <message>
+        <source>&amp;Other stamp</source>
+        <translation>ほかの型(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Take the next shape for the stamp</source>
+        <translation>次の形の型に替えます</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>取り消す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>最後の変更を取り消します</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Redo what was undone</source>
+        <translation>取り消した変更をやり直します</translation>
+    </message>
+    <message>
+        <source>Take the last point &amp;back</source>
+        <translation>最後の点を消す(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Remove the point that was placed last; without one, undo</source>
+        <translation>最後に置いた点を消します。なければ変更を取り消します</translation>
+    </message>
+    <message>
+        <source>&amp;Finish the stroke</source>
+        <translation>画を完成する(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Make a stroke of the placed points</source>
+        <translation>置いた点を画にします</translation>
+    </message>
+    <message>
+        <source>&amp;Next stroke</source>
+        <translation>次の画(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Choose the next stroke</source>
+        <translation>次の画を選びます</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious stroke</source>
+        <translation>前の画(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Choose the previous stroke</source>
+        <translation>前の画を選びます</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt point</source>
+        <translation>次の点(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Choose the next point of the stroke</source>
+        <translation>画の次の点を選びます</translation>
+    </message>
+    <message>
+        <source>Previous p&amp;oint</source>
+        <translation>前の点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Choose the previous point of the stroke</source>
+        <translation>画の前の点を選びます</translation>
+    </message>
+    <message>
+        <source>&amp;Earlier</source>
+        <translation>書き順を前へ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Move the stroke one place forward in the order</source>
+        <translation>画の書き順を一つ早くします</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>書き順を後へ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move the stroke one place back in the order</source>
+        <translation>画の書き順を一つ遅くします</translation>
+    </message>
+    <message>
+        <source>Re&amp;verse</source>
+        <translation>向きを逆に(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Draw the stroke from its other end</source>
+        <translation>画を反対の端から書きます</translation>
+    </message>
+    <message>
+        <source>Other en&amp;ding</source>
+        <translation>ほかの終わり方(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Give the stroke another ending: stop, hook, sweep</source>
+        <translation>画の終わり方を変えます：とめ、はね、はらい</translation>
+    </message>
+    <message>
+        <source>&amp;Insert a point</source>
+        <translation>点を加える(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Add a point after the chosen one. With the mouse: double-click the line</source>
+        <translation>選んだ点の次に点を加えます。マウスでは線をダブルクリックします</translation>
+    </message>
+    <message>
+        <source>&amp;Split</source>
+        <translation>分ける(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Split the stroke at the chosen point</source>
+        <translation>選んだ点で画を二つに分けます</translation>
+    </message>
+    <message>
+        <source>&amp;Join</source>
+        <translation>つなぐ(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Join the next stroke to the end of this one</source>
+        <translation>次の画をこの画の終わりにつなぎます</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>削除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete the chosen point or stroke</source>
+        <translation>選んだ点か画を削除します</translation>
+    </message>
+    <message>
+        <source>&amp;New character</source>
+        <translation>新しい文字(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Begin with an empty tablet</source>
+        <translation>何もない文字板から始めます</translation>
+    </message>
+    <message>
+        <source>&amp;Copy of the character shown</source>
+        <translation>表示中の文字の複製(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Begin with a copy of the character that was shown last</source>
+        <translation>最後に表示した文字の複製から始めます</translation>
+    </message>
+    <message>
+        <source>From a &amp;picture…</source>
+        <translation>画像から(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Find the strokes in a scan or photograph (PNG, JPEG)</source>
+        <translation>スキャンや写真（PNG、JPEG）から画を見つけます</translation>
+    </message>
+    <message>
+        <source>From a &amp;font…</source>
+        <translation>フォントから(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Find the strokes of a character of a font</source>
+        <translation>フォントの文字から画を見つけます</translation>
+    </message>
+    <message>
+        <source>Clear the &amp;relief</source>
+        <translation>手の加工を消す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take away everything that was changed by hand; strokes stay</source>
+        <translation>手で加えた変更をすべて消します。画は残ります</translation>
+    </message>
+    <message>
+        <source>&amp;Name and details</source>
+        <translation>名前と詳細(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Type the name, readings and licence</source>
+        <translation>名前、読み、ライセンスを入力します</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k</source>
+        <translation>点検(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Look for mistakes: order, endings, depth, licence</source>
+        <translation>書き順、終わり方、深さ、ライセンスの誤りを探します</translation>
+    </message>
+    <message>
+        <source>De&amp;scribe</source>
+        <translation>説明(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Say what is chosen and what the character has</source>
+        <translation>選んだものと文字の内容を読み上げます</translation>
+    </message>
+    <message>
+        <source>&amp;Feel it</source>
+        <translation>触ってみる(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Carve the character as the tablet that you feel</source>
+        <translation>この文字を、触れる文字板に彫ります</translation>
+    </message>
+    <message>
+        <source>Save a cop&amp;y…</source>
+        <translation>別の形式で保存(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Save as SVG, stroke order, height map (RAW, PNG)</source>
+        <translation>SVG、書き順、高さマップ（RAW、PNG）で保存します</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>拡大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show less, larger</source>
+        <translation>一部を大きく表示します</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>縮小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show more, smaller</source>
+        <translation>広い範囲を小さく表示します</translation>
+    </message>
+    <message>
+        <source>&amp;Whole tablet</source>
+        <translation>全体(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show the whole tablet</source>
+        <translation>文字板全体を表示します</translation>
+    </message>
+    <message>
+        <source>Show &amp;strokes</source>
+        <translation>画を表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show the strokes over the relief</source>
+        <translation>面の上に画を表示します</translation>
+    </message>
+    <message>
+        <source>&amp;Strokes and details</source>
+        <translation>画と詳細(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show or hide the panel</source>
+        <translation>パネルを表示または隠します</translation>
+    </message>
+    <message>
+        <source>&amp;Tool</source>
+        <translation>道具(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Stroke</source>
+        <translation>画(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Character</source>
+        <translation>文字(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Look</source>
+        <translation>見え方(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorkshopPage</name>
+    <message>
+        <source>Place at least two points first: the start and the end.</source>
+        <translation>先に書き始めと終わりの2点を置いてください。</translation>
+    </message>
+    <message>
+        <source>An empty tablet. Draw the first stroke.</source>
+        <translation>何もない文字板です。1画目をかいてください。</translation>
+    </message>
+    <message>
+        <source>Tool: %1.</source>
+        <translation>道具：%1。</translation>
+    </message>
+    <message>
+        <source>Width: %1 of 109.</source>
+        <translation>太さ：109分の%1。</translation>
+    </message>
+    <message>
+        <source>Depth: %1%.</source>
+        <translation>深さ：%1%。</translation>
+    </message>
+    <message>
+        <source>Stamp: %1.</source>
+        <translation>型：%1。</translation>
+    </message>
+    <message>
+        <source>Ending: %1.</source>
+        <translation>終わり方：%1。</translation>
+    </message>
+    <message>
+        <source>Ending of placed strokes: %1.</source>
+        <translation>点を置いた画の終わり方：%1。</translation>
+    </message>
+    <message>
+        <source>There are no strokes yet.</source>
+        <translation>まだ画がありません。</translation>
+    </message>
+    <message>
+        <source>This is not possible here.</source>
+        <translation>ここではできません。</translation>
+    </message>
+    <message>
+        <source>Choose a stroke first. N: next stroke. Full stop: next point.</source>
+        <translation>先に画を選んでください。N：次の画。ピリオド：次の点。</translation>
+    </message>
+    <message>
+        <source>Checked: nothing was found.</source>
+        <translation>点検しました。問題はありません。</translation>
+    </message>
+    <message>
+        <source>Not saved.</source>
+        <translation>保存していません。</translation>
+    </message>
+    <message>
+        <source>This is not possible: %1.</source>
+        <translation>できません：%1。</translation>
+    </message>
+    <message>
+        <source>Own character</source>
+        <translation>作った文字</translation>
+    </message>
+    <message>
+        <source>Your changes cannot be kept for an emergency: %1.</source>
+        <translation>変更を自動保存できません：%1。</translation>
+    </message>
+    <message>
+        <source>Work that was interrupted could not be brought back: %1.</source>
+        <translation>中断した作業を復元できませんでした：%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Your work that was interrupted is back: %n changes.</source>
+        <translation>
+            <numerusform>中断した作業を復元しました：変更%n件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The character in the workshop is not saved.</source>
+        <translation>工房の文字を保存していません。</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>保存しない</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Could not open %1: %2.</source>
+        <translation>%1 を開けません：%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opened %1, with %n changes that were not saved.</source>
+        <translation>
+            <numerusform>%1 を開き、保存していなかった変更%n件を復元しました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened %1.</source>
+        <translation>%1 を開きました。</translation>
+    </message>
+    <message>
+        <source>Open a character</source>
+        <translation>文字を開く</translation>
+    </message>
+    <message>
+        <source>All of these (*.nazori *.svg *.str *.raw *.png)</source>
+        <translation>すべて (*.nazori *.svg *.str *.raw *.png)</translation>
+    </message>
+    <message>
+        <source>Character (*.nazori)</source>
+        <translation>文字 (*.nazori)</translation>
+    </message>
+    <message>
+        <source>Strokes (*.svg *.str)</source>
+        <translation>画 (*.svg *.str)</translation>
+    </message>
+    <message>
+        <source>Height map (*.raw *.png)</source>
+        <translation>高さマップ (*.raw *.png)</translation>
+    </message>
+    <message>
+        <source>character</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Save the character</source>
+        <translation>文字を保存</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>別の形式で保存</translation>
+    </message>
+    <message>
+        <source>Strokes as a drawing (*.svg)</source>
+        <translation>画の図 (*.svg)</translation>
+    </message>
+    <message>
+        <source>Stroke order of 2005 (*.str)</source>
+        <translation>2005年版の書き順 (*.str)</translation>
+    </message>
+    <message>
+        <source>Height map, 8 bits (*.raw)</source>
+        <translation>高さマップ、8ビット (*.raw)</translation>
+    </message>
+    <message>
+        <source>Height map, 16 bits (*.png)</source>
+        <translation>高さマップ、16ビット (*.png)</translation>
+    </message>
+    <message>
+        <source>Could not save %1: %2.</source>
+        <translation>%1 を保存できません：%2。</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1.</source>
+        <translation>%1 に保存しました。</translation>
+    </message>
+    <message>
+        <source>A copy of %1. Change what you like.</source>
+        <translation>%1の複製です。自由に直せます。</translation>
+    </message>
+    <message>
+        <source>The database has no strokes of %1.</source>
+        <translation>データベースに%1の画がありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes found in %1.</source>
+        <translation>
+            <numerusform>%1 から%n画が見つかりました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Look at these: %1. Little ink was found for them.</source>
+        <translation>%1画目を確かめてください。線がほとんど見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>No strokes were found: %1. The character was not changed.</source>
+        <translation>画が見つかりません：%1。文字は変わっていません。</translation>
+    </message>
+    <message>
+        <source>Looking for strokes…</source>
+        <translation>画を探しています…</translation>
+    </message>
+    <message>
+        <source>Find the strokes of a picture</source>
+        <translation>画像から画を見つける</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>画像 (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>&amp;Workshop</source>
+        <translation>工房(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Make your own characters and signs</source>
+        <translation>自分の文字や記号を作ります</translation>
+    </message>
+    <message>
+        <source>Draw strokes with mouse or pen. 1 to 8: tools. K: check. S: describe what is there.</source>
+        <translation>マウスかペンで画をかきます。1～8：道具。K：点検。S：内容の説明。</translation>
+    </message>
+    <message>
+        <source>Point %1 placed. Enter: finish the stroke.</source>
+        <translation>%1番目の点を置きました。Enter：画を完成。</translation>
+    </message>
+    <message>
+        <source>Pen down. Move it with the arrow keys; space lifts it.</source>
+        <translation>ペンを下ろしました。矢印キーで動かし、スペースで上げます。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorkshopPanel</name>
+    <message>
+        <source>Strokes and details</source>
+        <translation>画と詳細</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>道具</translation>
+    </message>
+    <message>
+        <source>Width of the tool</source>
+        <translation>道具の太さ</translation>
+    </message>
+    <message>
+        <source>Depth of the tool</source>
+        <translation>道具の深さ</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Ending of placed strokes</source>
+        <translation>点を置いた画の終わり方</translation>
+    </message>
+    <message>
+        <source>Shape of the stamp</source>
+        <translation>型の形</translation>
+    </message>
+    <message>
+        <source>Width (of 109)</source>
+        <translation>太さ（109分の）</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深さ</translation>
+    </message>
+    <message>
+        <source>Ending</source>
+        <translation>終わり方</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>型押し</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>画</translation>
+    </message>
+    <message>
+        <source>Strokes in writing order</source>
+        <translation>書き順に並んだ画</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>詳細</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>A character, or what you call it</source>
+        <translation>文字、または呼び名</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>読み</translation>
+    </message>
+    <message>
+        <source>With commas between them</source>
+        <translation>読点で区切ります</translation>
+    </message>
+    <message>
+        <source>Meanings</source>
+        <translation>意味</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>作者</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>ライセンス</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>点検</translation>
+    </message>
+    <message>
+        <source>What the check found</source>
+        <translation>点検の結果</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>出典：%1</translation>
+    </message>
+    <message>
+        <source>Not checked yet.</source>
+        <translation>まだ点検していません。</translation>
+    </message>
+    <message>
+        <source>✓ Nothing was found.</source>
+        <translation>✓ 問題はありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n remarks</source>
+        <translation>
+            <numerusform>指摘%n件</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorkshopWords</name>
+    <message>
+        <source>stroke drawn</source>
+        <translation>画の追加</translation>
+    </message>
+    <message>
+        <source>strokes added</source>
+        <translation>画の追加</translation>
+    </message>
+    <message>
+        <source>stroke deleted</source>
+        <translation>画の削除</translation>
+    </message>
+    <message>
+        <source>point added</source>
+        <translation>点の追加</translation>
+    </message>
+    <message>
+        <source>point moved</source>
+        <translation>点の移動</translation>
+    </message>
+    <message>
+        <source>point deleted</source>
+        <translation>点の削除</translation>
+    </message>
+    <message>
+        <source>stroke moved</source>
+        <translation>画の移動</translation>
+    </message>
+    <message>
+        <source>stroke split</source>
+        <translation>画の分割</translation>
+    </message>
+    <message>
+        <source>strokes joined</source>
+        <translation>画の結合</translation>
+    </message>
+    <message>
+        <source>stroke reversed</source>
+        <translation>向きの逆転</translation>
+    </message>
+    <message>
+        <source>order changed</source>
+        <translation>書き順の変更</translation>
+    </message>
+    <message>
+        <source>ending changed</source>
+        <translation>終わり方の変更</translation>
+    </message>
+    <message>
+        <source>width changed</source>
+        <translation>太さの変更</translation>
+    </message>
+    <message>
+        <source>depth changed</source>
+        <translation>深さの変更</translation>
+    </message>
+    <message>
+        <source>number moved</source>
+        <translation>番号の移動</translation>
+    </message>
+    <message>
+        <source>details changed</source>
+        <translation>詳細の変更</translation>
+    </message>
+    <message>
+        <source>groove cut</source>
+        <translation>溝彫り</translation>
+    </message>
+    <message>
+        <source>relief raised</source>
+        <translation>盛り上げ</translation>
+    </message>
+    <message>
+        <source>relief smoothed</source>
+        <translation>ならし</translation>
+    </message>
+    <message>
+        <source>relief erased</source>
+        <translation>元に戻す加工</translation>
+    </message>
+    <message>
+        <source>stamp pressed</source>
+        <translation>型押し</translation>
+    </message>
+    <message>
+        <source>height map loaded</source>
+        <translation>高さマップの読み込み</translation>
+    </message>
+    <message>
+        <source>relief cleared</source>
+        <translation>手の加工の消去</translation>
+    </message>
+    <message>
+        <source>Draw strokes</source>
+        <translation>画をかく</translation>
+    </message>
+    <message>
+        <source>Place points</source>
+        <translation>点を置く</translation>
+    </message>
+    <message>
+        <source>Edit strokes</source>
+        <translation>画を直す</translation>
+    </message>
+    <message>
+        <source>Groove</source>
+        <translation>溝</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>盛り上げる</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>ならす</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>型押し</translation>
+    </message>
+    <message>
+        <source>Dot</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>輪</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>棒</translation>
+    </message>
+    <message>
+        <source>Cross</source>
+        <translation>十字</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>四角</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>三角</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>とめ</translation>
+    </message>
+    <message>
+        <source>hook</source>
+        <translation>はね</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>はらい</translation>
+    </message>
+    <message>
+        <source>any ending</source>
+        <translation>終わり方は自由</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>取り消す変更はありません。</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>取り消しました：%1。</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>やり直す変更はありません。</translation>
+    </message>
+    <message>
+        <source>Redone: %1.</source>
+        <translation>やり直しました：%1。</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2, %3, %4.</source>
+        <translation>全%2画の%1画目、%3、%4。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>点%n個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>%1番目の点</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>書き始め</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>終わり</translation>
+    </message>
+    <message>
+        <source>%1: %2 from the left, %3 from the top, %4 wide.</source>
+        <translation>%1：左から%2、上から%3、太さ%4。</translation>
+    </message>
+    <message>
+        <source>No name yet</source>
+        <translation>名前なし</translation>
+    </message>
+    <message>
+        <source>: </source>
+        <translation>：</translation>
+    </message>
+    <message>
+        <source>no strokes.</source>
+        <translation>画がありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes.</source>
+        <translation>
+            <numerusform>全%n画。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The relief was changed by hand.</source>
+        <translation>手で面を加工しています。</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1　%2</translation>
+    </message>
+    <message>
+        <source>There are no strokes.</source>
+        <translation>画がありません。</translation>
+    </message>
+    <message>
+        <source>The character has no name.</source>
+        <translation>文字に名前がありません。</translation>
+    </message>
+    <message>
+        <source>Stroke %1: its number is far from its start.</source>
+        <translation>%1画目：番号が書き始めから離れています。</translation>
+    </message>
+    <message>
+        <source>The numbers of strokes %1 and %2 cover each other.</source>
+        <translation>%1画目と%2画目の番号が重なっています。</translation>
+    </message>
+    <message>
+        <source>The number of stroke %1 covers the start of stroke %2.</source>
+        <translation>%1画目の番号が%2画目の書き始めを隠しています。</translation>
+    </message>
+    <message>
+        <source>The part %1 has no strokes.</source>
+        <translation>パーツ%1に画がありません。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 belongs to no part.</source>
+        <translation>%1画目がどのパーツにも入っていません。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 leaves the tablet.</source>
+        <translation>%1画目が文字板からはみ出しています。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 has no length.</source>
+        <translation>%1画目に長さがありません。</translation>
+    </message>
+    <message>
+        <source>Strokes %1 and %2 lie on each other.</source>
+        <translation>%1画目と%2画目が重なっています。</translation>
+    </message>
+    <message>
+        <source>Stroke %1: its ending does not look as it is said to be.</source>
+        <translation>%1画目：終わり方が形と合っていません。</translation>
+    </message>
+    <message>
+        <source>Stroke %1: the line turns back sharply at a point.</source>
+        <translation>%1画目：線が急に折り返しています。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is too shallow to feel.</source>
+        <translation>%1画目は浅すぎて触っても分かりません。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is narrower than the tip of a stylus.</source>
+        <translation>%1画目はペン先より細くなっています。</translation>
+    </message>
+    <message>
+        <source>The wall between strokes %1 and %2 is too thin to feel (%3 of 109).</source>
+        <translation>%1画目と%2画目の間の壁が薄すぎます（109分の%3）。</translation>
+    </message>
+    <message>
+        <source>The dictionary counts %1 strokes.</source>
+        <translation>辞書では%1画です。</translation>
+    </message>
+    <message>
+        <source>A copy of a character of KanjiVG must name KanjiVG&apos;s licence and authors.</source>
+        <translation>KanjiVG の文字の複製には、KanjiVG のライセンスと作者の記載が必要です。</translation>
+    </message>
+    <message>
+        <source>No licence is named. Others will not know what they may do with it.</source>
+        <translation>ライセンスがありません。ほかの人がどう使ってよいか分かりません。</translation>
     </message>
 </context>
 <context>
