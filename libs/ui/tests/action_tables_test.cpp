@@ -9,6 +9,7 @@
 #include "characters/character_actions.h"
 #include "learners/learner_actions.h"
 #include "nazori/studio/brush/brush_actions.h"
+#include "nazori/studio/workshop/workshop_actions.h"
 #include "progress/progress_actions.h"
 #include "start/check_page.h"
 #include "start/start_page.h"
@@ -323,6 +324,71 @@ brush_ruling R
 brush_model_text T
 brush_next_model .
 brush_previous_model ,)"));
+  expect_words(actions);
+}
+
+TEST_F(ActionTables, OfTheWorkshop) {
+  const WorkshopActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Tool]
+*workshop_draw 1
+*workshop_place 2
+*workshop_edit 3
+*workshop_groove 4
+*workshop_raise 5
+*workshop_smooth 6
+*workshop_erase 7
+*workshop_stamp 8
+-
+*workshop_straight L
+*workshop_mirrored M
+workshop_next_stamp T
+-
+workshop_wider ]
+workshop_thinner [
+workshop_deeper PgDown
+workshop_shallower PgUp
+[Stroke]
+workshop_undo Ctrl+Z
+workshop_redo Ctrl+Y Ctrl+Shift+Z
+workshop_step_back Backspace
+workshop_finish Return Enter
+-
+workshop_next_stroke N
+workshop_previous_stroke P
+workshop_next_point .
+workshop_previous_point ,
+-
+workshop_earlier Ctrl+Up
+workshop_later Ctrl+Down
+workshop_reverse R
+workshop_ending E
+-
+workshop_insert I
+workshop_split X
+workshop_join J
+workshop_remove Del
+[Character]
+workshop_new Ctrl+N
+workshop_copy C
+workshop_picture Ctrl+I
+workshop_font F
+-
+workshop_clear_relief Ctrl+Del
+-
+workshop_details D
+*workshop_check K
+workshop_describe S
+-
+workshop_carve Ctrl+Shift+C
+workshop_export Ctrl+E
+[Look]
+workshop_zoom_in + =
+workshop_zoom_out -
+workshop_zoom_whole 0
+-
+*workshop_strokes B
+*workshop_panel F3)"));
   expect_words(actions);
 }
 
