@@ -6,7 +6,9 @@
 #include <cstddef>
 
 #include "brush.h"
+#include "line_nodes.h"
 #include "nazori/geometry/frames.h"
+#include "width_profile.h"
 
 namespace nazori::carving {
 namespace {
@@ -14,132 +16,8 @@ namespace {
 using geometry::GlyphPoint;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kCorner = 40 * kPi / 180;  // a point where the line turns by more stays a corner
-constexpr double kSplit = 50 * kPi / 180;   // so does a bend that turns by more within a groove's width
+constexpr double kSplit = 50 * kPi / 180;  // a bend that turns by more within a groove's width is a corner
 constexpr double kLongPiece = 120 * kPi / 180;
-constexpr double kLeastDistance = 1e-6;
-// How far, in glyph units, a curve may leave the chord between two given points.
-constexpr double kBow = 0.1;
-
-/// A point of the refined line.
-struct Node {
-  GlyphPoint at;
-  double s = 0;
-  bool corner = false;
-};
-
-GlyphPoint unit(GlyphPoint v) {
-  const double l = geometry::length(v);
-  return l > 0 ? v * (1 / l) : GlyphPoint{1, 0};
-}
-
-double cross(GlyphPoint a, GlyphPoint b) { return a.x * b.y - a.y * b.x; }
-
-double angle_between(GlyphPoint a, GlyphPoint b) {
-  return std::atan2(std::abs(cross(a, b)), geometry::dot(a, b));
-}
-
-/// The given points without repetitions, with corners marked. Beside gentle bends between long segments there
-/// is one more point on each side, so that the curve does not overshoot.
-/// @param least  distance of two points that count as two.
-std::vector<Node> knots(const std::vector<GlyphPoint>& given, double least) {
-  std::vector<GlyphPoint> points;
-  for (const GlyphPoint p : given)
-    if (points.empty() || geometry::distance(points.back(), p) > least) points.push_back(p);
-  std::vector<Node> out;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i == 0 || i + 1 == points.size()) {
-      out.push_back({points[i]});
-      continue;
-    }
-    const GlyphPoint before = points[i] - points[i - 1];
-    const GlyphPoint after = points[i + 1] - points[i];
-    const double turn = angle_between(before, after);
-    if (turn > kCorner) {
-      out.push_back({points[i], 0, true});
-      continue;
-    }
-    // The largest distance of a curve from a chord of length c that turns by `turn` at one end is about 0.15
-    // c turn.
-    const double reach = kBow / (0.15 * std::max(turn, 1e-3));
-    const double l0 = geometry::length(before);
-    const double l1 = geometry::length(after);
-    if (l0 > 2.5 * reach) out.push_back({points[i] - before * (reach / l0)});
-    out.push_back({points[i]});
-    if (l1 > 2.5 * reach) out.push_back({points[i] + after * (reach / l1)});
-  }
-  return out;
-}
-
-/// Curves through the knots (cubic Hermite, chord tangents), cut so that neighbouring segments turn by about
-/// `max_turn`.
-/// @param least_facet  no cut makes a segment shorter than this; 0: no limit.
-std::vector<Node> refine(const std::vector<Node>& line, double max_turn, double least_facet) {
-  std::vector<Node> out;
-  out.reserve(4 * line.size());
-  out.push_back(line.front());
-  const auto is_smooth = [&line](std::size_t i) { return i > 0 && i + 1 < line.size() && !line[i].corner; };
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const GlyphPoint chord = line[i + 1].at - line[i].at;
-    const double length = geometry::length(chord);
-    const GlyphPoint along = chord * (1 / length);
-    GlyphPoint start = is_smooth(i) ? unit(line[i + 1].at - line[i - 1].at) : along;
-    GlyphPoint end = is_smooth(i + 1) ? unit(line[i + 2].at - line[i].at) : along;
-    // Where one side has no further point, the curve continues as an arc.
-    if (!is_smooth(i) && is_smooth(i + 1)) start = along * (2 * geometry::dot(along, end)) - end;
-    if (is_smooth(i) && !is_smooth(i + 1)) end = along * (2 * geometry::dot(along, start)) - start;
-    const double bend = angle_between(start, along) + angle_between(along, end);
-    int parts = std::clamp(static_cast<int>(std::ceil(1.3 * bend / max_turn)), 1, 48);
-    if (least_facet > 0) parts = std::clamp(static_cast<int>(length / least_facet), 1, parts);
-    for (int k = 1; k < parts; ++k) {
-      const double t = static_cast<double>(k) / parts;
-      const double t2 = t * t;
-      const double t3 = t2 * t;
-      const GlyphPoint p = line[i].at * (2 * t3 - 3 * t2 + 1) + start * (length * (t3 - 2 * t2 + t)) +
-                           line[i + 1].at * (3 * t2 - 2 * t3) + end * (length * (t3 - t2));
-      out.push_back({p});
-    }
-    out.push_back(line[i + 1]);
-  }
-  for (std::size_t i = 1; i < out.size(); ++i)
-    out[i].s = out[i - 1].s + geometry::distance(out[i - 1].at, out[i].at);
-  return out;
-}
-
-/// A stretch of the line over which the brush changes, and how finely it is sampled there.
-struct Zone {
-  double begin;
-  double end;
-  double step;
-};
-
-/// Adds points wherever the brush changes, so that its width is linear between two joints.
-std::vector<Node> subdivide(const std::vector<Node>& line, std::span<const Zone> zones) {
-  std::vector<Node> out;
-  out.reserve(line.size() + 64);
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Node& a = line[i];
-    const Node& b = line[i + 1];
-    out.push_back(a);
-    double s = a.s;
-    const double least = 1e-3;
-    while (b.s - s > least) {
-      // The next point: a step within a zone, the border of a zone ahead, or the end of the segment.
-      double next = b.s;
-      for (const Zone& zone : zones) {
-        if (s < zone.begin - least)
-          next = std::min(next, zone.begin);
-        else if (s < zone.end - least)
-          next = std::min({next, zone.end, s + zone.step});
-      }
-      if (b.s - next <= least) break;
-      out.push_back({a.at + (b.at - a.at) * ((next - a.s) / (b.s - a.s)), next});
-      s = next;
-    }
-  }
-  out.push_back(line.back());
-  return out;
-}
 
 /// Nodes at which the stroke is split because it turns sharply there.
 std::vector<std::size_t> corners(const std::vector<Node>& line, double reach) {
@@ -209,53 +87,102 @@ double turn_at(std::span<const GlyphPoint> line, std::size_t i, double reach) {
   return angle_between(line[i] - look(-1), look(1) - line[i]);
 }
 
-std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, int size, Detail detail) {
+namespace {
+
+/// As fine as the samples, and at least `least` steps over `reach`.
+double step_over(double reach, double scale, int least) {
+  return std::max(1e-3, reach / std::clamp(reach * scale / 1.5, static_cast<double>(least), 96.0));
+}
+
+/// A line with the brush at each of its nodes.
+struct MarkedLine {
+  std::vector<Node> nodes;
+  std::vector<BrushMark> marks;
+};
+
+MarkedLine mark_stroke(const kanji::StrokeLine& stroke, const Brush& brush, int size, Detail detail) {
   const double scale = (size - 1) / geometry::kGlyphSide;
-  const double sample = 1 / scale;
-  const bool coarse = detail == Detail::samples;
-  std::vector<Node> line = knots(stroke.points, coarse ? sample / 2 : kLeastDistance);
-  // Fine enough that a facet is as long as two samples, but never visible even on a coarse grid.
-  const double max_turn = std::clamp(12.0 / size, 0.012, 0.06);
-  if (line.size() > 1) line = refine(line, max_turn, coarse ? sample : 0);
-  const double length = line.back().s;
+  MarkedLine line{smooth_nodes(stroke.points, size, detail), {}};
+  const double length = line.nodes.back().s;
   const double hook = hook_length(stroke);
   if (brush.endings && length > 0) {
     const BrushZones at = zones_of(brush, stroke.ending, length, hook);
-    const auto step = [scale](double reach, int least) {
-      return std::max(1e-3, reach / std::clamp(reach * scale / 1.5, static_cast<double>(least), 96.0));
-    };
-    const Zone zones[] = {{0, at.entry_end, step(at.entry_end, 8)},
-                          {at.ending_start, at.body_end, step(at.body_end - at.ending_start, 12)},
-                          {at.body_end, length, step(length - at.body_end, 12)}};
-    line = subdivide(line, zones);
+    const Zone zones[] = {{0, at.entry_end, step_over(at.entry_end, scale, 8)},
+                          {at.ending_start, at.body_end, step_over(at.body_end - at.ending_start, scale, 12)},
+                          {at.body_end, length, step_over(length - at.body_end, scale, 12)}};
+    line.nodes = subdivide(line.nodes, zones);
   }
+  line.marks.reserve(line.nodes.size());
+  for (const Node& node : line.nodes)
+    line.marks.push_back(brush_at(brush, stroke.ending, node.s, length, hook));
+  return line;
+}
 
-  std::vector<Joint> joints(line.size());
-  std::vector<double> turns(line.size(), 0.0);
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const GlyphPoint before = i > 0 ? unit(line[i].at - line[i - 1].at) : GlyphPoint{};
-    const GlyphPoint after = i + 1 < line.size() ? unit(line[i + 1].at - line[i].at) : GlyphPoint{};
+/// The groove at the nodes at which a point was given.
+WidthProfile profile_of(const std::vector<Node>& line, const Groove& groove) {
+  std::vector<WidthKnot> knots_of_width;
+  for (const Node& node : line) {
+    if (node.given < 0) continue;
+    const GroovePoint& point = groove[static_cast<std::size_t>(node.given)];
+    knots_of_width.push_back({node.s, point.half_width, point.depth});
+  }
+  return WidthProfile(std::move(knots_of_width));
+}
+
+/// @param least_steps  between two points of different width. @param scale  steps of 1.5 / scale.
+MarkedLine mark_groove(const Groove& groove, int size, double scale, int least_steps) {
+  std::vector<GlyphPoint> points;
+  points.reserve(groove.size());
+  for (const GroovePoint& point : groove) points.push_back(point.at);
+  MarkedLine line{smooth_nodes(points, size, Detail::smooth), {}};
+  const WidthProfile profile = profile_of(line.nodes, groove);
+  std::vector<Zone> zones;
+  const std::span<const WidthKnot> knots_of_width = profile.knots();
+  for (std::size_t i = 0; i + 1 < knots_of_width.size(); ++i) {
+    const WidthKnot& a = knots_of_width[i];
+    const WidthKnot& b = knots_of_width[i + 1];
+    if (a.half_width != b.half_width || a.depth != b.depth)
+      zones.push_back({a.s, b.s, step_over(b.s - a.s, scale, least_steps)});
+  }
+  if (line.nodes.size() > 1) line.nodes = subdivide(line.nodes, zones);
+  line.marks.reserve(line.nodes.size());
+  for (const Node& node : line.nodes) line.marks.push_back(profile.at(node.s));
+  return line;
+}
+
+struct JoinedLine {
+  std::vector<Joint> joints;
+  std::vector<double> turns;
+};
+
+/// @param full  depth of the brush.
+JoinedLine joints_of(const MarkedLine& line, double scale, double full) {
+  JoinedLine out{std::vector<Joint>(line.nodes.size()), std::vector<double>(line.nodes.size(), 0.0)};
+  for (std::size_t i = 0; i < line.nodes.size(); ++i) {
+    const GlyphPoint at = line.nodes[i].at;
+    const GlyphPoint before = i > 0 ? unit(at - line.nodes[i - 1].at) : GlyphPoint{};
+    const GlyphPoint after = i + 1 < line.nodes.size() ? unit(line.nodes[i + 1].at - at) : GlyphPoint{};
     const GlyphPoint forward = unit(before + after);
-    const BrushMark mark = brush_at(brush, stroke.ending, line[i].s, length, hook);
-    Joint& joint = joints[i];
-    joint = {line[i].at.x * scale,    line[i].at.y * scale,    forward.x, forward.y,
-             mark.half_width * scale, mark.depth / brush.depth};
-    if (i > 0 && i + 1 < line.size()) turns[i] = angle_between(before, after);
+    const BrushMark& mark = line.marks[i];
+    out.joints[i] = {at.x * scale,     at.y * scale, forward.x, forward.y, mark.half_width * scale,
+                     mark.depth / full};
+    if (i > 0 && i + 1 < line.nodes.size()) out.turns[i] = angle_between(before, after);
   }
-  mark_tight_bends(line, turns, scale, joints);
+  mark_tight_bends(line.nodes, out.turns, scale, out.joints);
+  return out;
+}
 
-  if (brush.endings && hook > 0) {
-    // The walls of a hook converge so fast that a disc would stick out of them.
-    for (std::size_t i = 0; i < line.size(); ++i)
-      if (line[i].s > length - hook) joints[i].needs_disc = false;
-  }
+/// @param width  of the body of the groove, glyph units.
+std::vector<Piece> pieces_of(const std::vector<Node>& line, const JoinedLine& joined, double width) {
+  const std::vector<Joint>& joints = joined.joints;
+  const std::vector<double>& turns = joined.turns;
   std::vector<Piece> pieces;
-  const std::vector<std::size_t> split = corners(line, 0.6 * brush.width / 2);
+  const std::vector<std::size_t> split = corners(line, 0.6 * width / 2);
   Piece piece;
   double turned = 0;
   double s_of_tight = -1e9;  // where the line last bent tightly
   std::size_t next_corner = 0;
-  const double clear = 1.2 * brush.width;
+  const double clear = 1.2 * width;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     piece.joints.push_back(joints[i]);
     turned += turns[i];
@@ -299,6 +226,84 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
     piece.joints.push_back(start);
   }
   return pieces;
+}
+
+}  // namespace
+
+std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, int size, Detail detail) {
+  const double scale = (size - 1) / geometry::kGlyphSide;
+  const MarkedLine line = mark_stroke(stroke, brush, size, detail);
+  JoinedLine joined = joints_of(line, scale, brush.depth);
+  const double hook = hook_length(stroke);
+  if (brush.endings && hook > 0) {
+    // The walls of a hook converge so fast that a disc would stick out of them.
+    const double hook_start = line.nodes.back().s - hook;
+    for (std::size_t i = 0; i < line.nodes.size(); ++i)
+      if (line.nodes[i].s > hook_start) joined.joints[i].needs_disc = false;
+  }
+  return pieces_of(line.nodes, joined, brush.width);
+}
+
+std::vector<Piece> trace(const Groove& groove, int size) {
+  const double scale = (size - 1) / geometry::kGlyphSide;
+  const MarkedLine line = mark_groove(groove, size, scale, 4);
+  JoinedLine joined = joints_of(line, scale, 1.0);
+  // As in a hook, a disc would stick out of walls that converge fast.
+  constexpr double kFast = 0.05;
+  for (std::size_t i = 0; i + 1 < line.nodes.size(); ++i) {
+    const double narrows = line.marks[i].half_width - line.marks[i + 1].half_width;
+    if (narrows > kFast * (line.nodes[i + 1].s - line.nodes[i].s)) joined.joints[i].needs_disc = false;
+  }
+  return pieces_of(line.nodes, joined, 2 * profile_of(line.nodes, groove).usual_half_width());
+}
+
+std::vector<SmoothPoint> smooth_line(const Groove& groove) {
+  constexpr int kSize = 1024;
+  constexpr double kStepsPerUnit = 1.5;  // a step of one glyph unit
+  const MarkedLine line = mark_groove(groove, kSize, kStepsPerUnit, 2);
+  std::vector<SmoothPoint> out;
+  out.reserve(line.nodes.size());
+  std::size_t segment = 0;
+  for (std::size_t i = 0; i < line.nodes.size(); ++i) {
+    const Node& node = line.nodes[i];
+    if (node.given >= 0) segment = static_cast<std::size_t>(node.given);
+    out.push_back({node.at, line.marks[i].half_width, line.marks[i].depth, segment, node.s});
+  }
+  return out;
+}
+
+Groove groove_of(const kanji::StrokeLine& stroke, const Brush& brush) {
+  constexpr int kSize = 1024;
+  // How far the groove between two points may be from that of the brush: glyph units, and share of the depth.
+  constexpr double kWidthTolerance = 0.012;
+  constexpr double kDepthTolerance = 0.002;
+  const MarkedLine line = mark_stroke(stroke, brush, kSize, Detail::smooth);
+  std::vector<bool> kept(line.nodes.size(), false);
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = line.nodes[i].given >= 0;
+  // The worst place gets a point until all are near enough.
+  while (true) {
+    std::vector<WidthKnot> knots_of_width;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      if (kept[i]) knots_of_width.push_back({line.nodes[i].s, line.marks[i].half_width, line.marks[i].depth});
+    const WidthProfile profile(std::move(knots_of_width));
+    double worst = 1;
+    std::size_t at = kept.size();
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (kept[i]) continue;
+      const BrushMark mark = profile.at(line.nodes[i].s);
+      const double off = std::max(std::abs(mark.half_width - line.marks[i].half_width) / kWidthTolerance,
+                                  std::abs(mark.depth - line.marks[i].depth) / kDepthTolerance);
+      if (off <= worst) continue;
+      worst = off;
+      at = i;
+    }
+    if (at == kept.size()) break;
+    kept[at] = true;
+  }
+  Groove groove;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i]) groove.push_back({line.nodes[i].at, line.marks[i].half_width, line.marks[i].depth});
+  return groove;
 }
 
 }  // namespace nazori::carving

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nazori/carving/carve.h"
+#include "nazori/carving/groove.h"
 #include "nazori/geometry/point.h"
 #include "nazori/kanji/stroke.h"
 
@@ -41,6 +42,9 @@ enum class Detail {
 /// @param size  side of the grid.
 [[nodiscard]] std::vector<Piece> trace(const kanji::StrokeLine& line, const Brush& brush, int size,
                                        Detail detail = Detail::smooth);
+
+/// The same for a groove, whose joints have its own depths. @param groove  at least one point.
+[[nodiscard]] std::vector<Piece> trace(const Groove& groove, int size);
 
 /// Angle [rad] by which a line turns at point `i`, measured over `reach` to both sides; 0 at its ends.
 [[nodiscard]] double turn_at(std::span<const geometry::GlyphPoint> line, std::size_t i, double reach);

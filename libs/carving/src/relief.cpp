@@ -79,9 +79,11 @@ void clip(Span& span, const Joint& joint, double dy, bool ahead, int size) {
   }
 }
 
+// Rows are filled from sample `first`, and what is computed there does not depend on it.
+
 template <class Profile>
-void fill_even(float* row, int count, float q, float dq, float depth, Profile profile) {
-  for (int i = 0; i < count; ++i) {
+void fill_even(float* row, int first, int count, float q, float dq, float depth, Profile profile) {
+  for (int i = first; i < count; ++i) {
     const float x = std::min(std::abs(q + dq * static_cast<float>(i)), 1.0F);
     row[i] = std::max(row[i], depth * profile(x));
   }
@@ -94,9 +96,9 @@ struct Ramp {
 };
 
 template <class Profile>
-void fill_changing(float* row, int count, Ramp across, Ramp from, Ramp to, Ramp width, Ramp depth,
+void fill_changing(float* row, int first, int count, Ramp across, Ramp from, Ramp to, Ramp width, Ramp depth,
                    Profile profile) {
-  for (int i = 0; i < count; ++i) {
+  for (int i = first; i < count; ++i) {
     const auto k = static_cast<float>(i);
     const float after = std::max(from.start + from.step * k, 0.0F);
     const float before = std::max(to.start + to.step * k, 0.0F);
@@ -113,9 +115,16 @@ Relief::Relief(std::span<float> samples, int size, CrossSection cross_section)
     : samples_(samples),
       size_(size),
       cross_section_(cross_section),
+      box_(whole_map(size)),
       used_(kBandRows, Columns{0, 0}),
       tiles_in_row_((size + kTile - 1) / kTile),
       tiles_(static_cast<std::size_t>(tiles_in_row_) * static_cast<std::size_t>(tiles_in_row_)) {}
+
+Relief::Relief(std::span<float> samples, int size, const GridBox& box)
+    : Relief(samples, size, CrossSection::rounded) {
+  box_ = box;
+  skips_full_ = false;
+}
 
 void Relief::mark(int row, int begin, int end) {
   const int top = row / kTile * kTile;
@@ -223,14 +232,16 @@ void Relief::sweep_rows(const Joint& from, const Joint& to, double ux, double uy
     clip(span, to, to_dy, false, size_);
     if (span.begin >= span.end) continue;
     const double x0 = span.begin;
-    float* const line = row_of(row, span.begin, span.end) + span.begin;
+    const int first = std::max(box_.left - span.begin, 0);
+    const int count = std::min(span.end, box_.right) - span.begin;
+    if (first >= count) continue;
+    float* const line = row_of(row, span.begin + first, span.begin + count) + span.begin;
     const double across = (x0 - from.x) * -uy + from_dy * ux;
-    const int count = span.end - span.begin;
     if (even) {
-      fill_even(line, count, static_cast<float>(across / reach), static_cast<float>(-uy / reach),
+      fill_even(line, first, count, static_cast<float>(across / reach), static_cast<float>(-uy / reach),
                 static_cast<float>(from.depth), profile);
     } else {
-      fill_changing(line, count, {static_cast<float>(across), static_cast<float>(-uy)},
+      fill_changing(line, first, count, {static_cast<float>(across), static_cast<float>(-uy)},
                     {static_cast<float>((x0 - from.x) * from.forward_x + from_dy * from.forward_y),
                      static_cast<float>(from.forward_x)},
                     {static_cast<float>(-(x0 - to.x) * to.forward_x - to_dy * to.forward_y),
@@ -257,14 +268,15 @@ void Relief::press(const Joint& at, Profile profile) {
     const double half = std::sqrt(std::max(radius * radius - dy * dy, 0.0));
     const int begin = column_from(at.x - half, size_);
     const int end = clamp_to_int(std::floor(at.x + half) + 1, 0, size_);
-    if (begin >= end) continue;
-    float* const line = row_of(row, begin, end) + begin;
+    const int first = std::max(box_.left - begin, 0);
+    const int count = std::min(end, box_.right) - begin;
+    if (first >= count) continue;
+    float* const line = row_of(row, begin + first, begin + count) + begin;
     const auto x0 = static_cast<float>((begin - at.x) / radius);
     const auto step = static_cast<float>(1 / radius);
     const auto y2 = static_cast<float>(dy * dy / (radius * radius));
     const auto depth = static_cast<float>(at.depth);
-    const int count = end - begin;
-    for (int i = 0; i < count; ++i) {
+    for (int i = first; i < count; ++i) {
       const float x = x0 + step * static_cast<float>(i);
       line[i] = std::max(line[i], depth * profile(std::min(std::sqrt(x * x + y2), 1.0F)));
     }
@@ -281,7 +293,7 @@ void Relief::join() {
       const float square = depths[x] * depths[x];
       out[x] += square - out[x] * square;
     }
-    mark(row, used.begin, used.end);
+    if (skips_full_) mark(row, used.begin, used.end);
   }
 }
 
@@ -293,12 +305,13 @@ void Relief::cut_with(const Piece& piece, Profile profile) {
     top = std::min(top, joint.y - joint.half_width);
     bottom = std::max(bottom, joint.y + joint.half_width);
   }
-  const int begin = clamp_to_int(std::floor(top), 0, size_) / kTile * kTile;
-  const int end = clamp_to_int(std::ceil(bottom) + 1, 0, size_);
+  const int begin = std::max(box_.top, clamp_to_int(std::floor(top), 0, size_)) / kTile * kTile;
+  const int end = std::min(box_.bottom, clamp_to_int(std::ceil(bottom) + 1, 0, size_));
   depths_.resize(static_cast<std::size_t>(kBandRows) * static_cast<std::size_t>(size_));
   for (int band = begin; band < end; band += kBandRows) {
-    first_row_ = band;
+    first_row_ = std::max(band, box_.top);
     last_row_ = std::min(end, band + kBandRows);
+    if (first_row_ >= last_row_) continue;
     cut_begin_ = last_row_;
     cut_end_ = first_row_;
     for (std::size_t i = 0; i + 1 < piece.joints.size(); ++i)

@@ -7,6 +7,7 @@
 
 #include "centre_line.h"
 #include "nazori/carving/carve.h"
+#include "nazori/carving/groove.h"
 
 namespace nazori::carving {
 
@@ -20,6 +21,10 @@ class Relief {
  public:
   /// @param samples  size x size, all 0 at first, row-major; changed in place.
   Relief(std::span<float> samples, int size, CrossSection cross_section);
+  /// Cuts only in a box, and what it cuts there is the same, bit for bit, in every box: tiles that are full
+  /// are not passed over, because whether they are depends on samples outside of the box.
+  /// @param box  within the map; its samples are 0 at first.
+  Relief(std::span<float> samples, int size, const GridBox& box);
 
   void cut(const Piece& piece);
 
@@ -45,6 +50,8 @@ class Relief {
   std::span<float> samples_;
   int size_;
   CrossSection cross_section_;
+  GridBox box_;
+  bool skips_full_ = true;
   // Depths of the present piece in rows [first_row_, last_row_) and, per row, the columns that are in use;
   // none are in use outside of [cut_begin_, cut_end_).
   std::vector<float> depths_;

@@ -28,4 +28,19 @@ std::vector<const kanji::StrokeLine*> stroke_set(std::span<const kanji::StrokeLi
   return set;
 }
 
+std::vector<const Groove*> groove_set(std::span<const Groove> grooves) {
+  std::vector<const Groove*> set;
+  set.reserve(grooves.size());
+  for (const Groove& groove : grooves) set.push_back(&groove);
+  const auto key = [](const GroovePoint& p) { return std::tie(p.at.x, p.at.y, p.half_width, p.depth); };
+  std::sort(set.begin(), set.end(), [&key](const Groove* a, const Groove* b) {
+    return std::lexicographical_compare(
+        a->begin(), a->end(), b->begin(), b->end(),
+        [&key](const GroovePoint& p, const GroovePoint& q) { return key(p) < key(q); });
+  });
+  set.erase(std::unique(set.begin(), set.end(), [](const Groove* a, const Groove* b) { return *a == *b; }),
+            set.end());
+  return set;
+}
+
 }  // namespace nazori::carving

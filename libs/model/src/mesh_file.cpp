@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/model/mesh_file.h"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -10,8 +8,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <string_view>
+
+#include "nazori/archive/zip.h"
 
 namespace nazori::model {
 namespace {
@@ -126,26 +125,6 @@ constexpr std::string_view kRelations = R"(<?xml version="1.0" encoding="UTF-8"?
 </Relationships>
 )";
 
-la_ssize_t take_bytes(archive* /*zip*/, void* to, const void* bytes, std::size_t size) {
-  auto& all = *static_cast<std::vector<std::uint8_t>*>(to);
-  const auto* const first = static_cast<const std::uint8_t*>(bytes);
-  all.insert(all.end(), first, first + size);
-  return static_cast<la_ssize_t>(size);
-}
-
-/// @return false where libarchive refuses. A file has no time: libarchive would write the hour of the
-/// place where it runs.
-bool append_file(archive* zip, const char* name, std::string_view content) {
-  const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(),
-                                                                            &archive_entry_free);
-  archive_entry_set_pathname(entry.get(), name);
-  archive_entry_set_filetype(entry.get(), AE_IFREG);
-  archive_entry_set_perm(entry.get(), 0644);
-  archive_entry_set_size(entry.get(), static_cast<la_int64_t>(content.size()));
-  return archive_write_header(zip, entry.get()) == ARCHIVE_OK &&
-         archive_write_data(zip, content.data(), content.size()) == static_cast<la_ssize_t>(content.size());
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> to_stl(const Mesh& mesh) {
@@ -167,22 +146,12 @@ std::vector<std::uint8_t> to_stl(const Mesh& mesh) {
 }
 
 base::Result<std::vector<std::uint8_t>> to_3mf(const Mesh& mesh, const std::string& name) {
-  std::vector<std::uint8_t> bytes;
-  const std::unique_ptr<archive, decltype(&archive_write_free)> zip(archive_write_new(), &archive_write_free);
-  const bool done =
-      archive_write_set_format_zip(zip.get()) == ARCHIVE_OK &&
-      archive_write_set_format_option(zip.get(), "zip", "compression-level", "3") == ARCHIVE_OK &&
-      archive_write_set_bytes_in_last_block(zip.get(), 1) == ARCHIVE_OK &&
-      archive_write_open(zip.get(), &bytes, nullptr, &take_bytes, nullptr) == ARCHIVE_OK &&
-      append_file(zip.get(), "[Content_Types].xml", kContentTypes) &&
-      append_file(zip.get(), "_rels/.rels", kRelations) &&
-      append_file(zip.get(), "3D/3dmodel.model", model_xml(mesh, name)) &&
-      archive_write_close(zip.get()) == ARCHIVE_OK;
-  if (!done) {
-    const char* const why = archive_error_string(zip.get());
-    return base::fail(base::Errc::io, why != nullptr ? why : "the archive cannot be made", "3MF");
-  }
-  return bytes;
+  constexpr int kFast = 3;
+  archive::ZipWriter zip(kFast);
+  zip.add("[Content_Types].xml", kContentTypes);
+  zip.add("_rels/.rels", kRelations);
+  zip.add("3D/3dmodel.model", model_xml(mesh, name));
+  return zip.finish();
 }
 
 }  // namespace nazori::model

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <archive.h>
-#include <archive_entry.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
 #include <sqlite3.h>
@@ -9,6 +7,7 @@
 #include <array>
 #include <memory>
 
+#include "nazori/archive/zip.h"
 #include "nazori/base/utf8.h"
 #include "nazori/json/json.h"
 #include "nazori/kanji/kana_sound.h"
@@ -25,6 +24,7 @@ constexpr std::int64_t kModel = 1'763'700'000'001;
 constexpr std::int64_t kDeck = 1'763'700'000'002;
 constexpr std::int64_t kFirstNote = 1'763'700'100'000;
 constexpr std::int64_t kFirstCard = 1'763'702'000'000;
+constexpr std::time_t kTimeOfFiles = 1'763'700'000;
 constexpr char kBetweenFields = 0x1F;
 constexpr int kMostWords = 20;
 constexpr char32_t kFirstKatakana = 0x30A0;
@@ -268,44 +268,6 @@ Bytes serialized(SQLite::Database& db) {
   return {bytes.get(), bytes.get() + size};
 }
 
-la_ssize_t take_bytes(archive* /*zip*/, void* target, const void* bytes, std::size_t size) {
-  auto& all = *static_cast<Bytes*>(target);
-  const auto* begin = static_cast<const std::uint8_t*>(bytes);
-  all.insert(all.end(), begin, begin + size);
-  return static_cast<la_ssize_t>(size);
-}
-
-/// Writes a zip into memory.
-class ZipWriter {
- public:
-  ZipWriter() : zip_(archive_write_new(), &archive_write_free) {
-    ok_ = archive_write_set_format_zip(zip_.get()) == ARCHIVE_OK &&
-          archive_write_set_bytes_in_last_block(zip_.get(), 1) == ARCHIVE_OK &&
-          archive_write_open(zip_.get(), &bytes_, nullptr, &take_bytes, nullptr) == ARCHIVE_OK;
-  }
-  void add(const std::string& name, std::span<const std::uint8_t> content) {
-    const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(),
-                                                                              &archive_entry_free);
-    archive_entry_set_pathname(entry.get(), name.c_str());
-    archive_entry_set_filetype(entry.get(), AE_IFREG);
-    archive_entry_set_perm(entry.get(), 0644);
-    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(content.size()));
-    archive_entry_set_mtime(entry.get(), 1'763'700'000, 0);
-    ok_ = ok_ && archive_write_header(zip_.get(), entry.get()) == ARCHIVE_OK &&
-          archive_write_data(zip_.get(), content.data(), content.size()) ==
-              static_cast<la_ssize_t>(content.size());
-  }
-  base::Result<Bytes> finish() {
-    if (ok_ && archive_write_close(zip_.get()) == ARCHIVE_OK) return std::move(bytes_);
-    return base::fail(Errc::io, "cannot be packed", "the Anki package");
-  }
-
- private:
-  Bytes bytes_;
-  std::unique_ptr<archive, decltype(&archive_write_free)> zip_;
-  bool ok_ = false;
-};
-
 std::span<const std::uint8_t> as_bytes(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
@@ -326,7 +288,7 @@ base::Result<Bytes> anki_package(const kanji::KanjiDatabase& database, std::span
     SQLite::Database db(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     db.exec(kTables);
     insert_collection(db, options.deck, now);
-    ZipWriter zip;
+    archive::ZipWriter zip({}, kTimeOfFiles);
     json::Value media = json::Value::object();
     int position = 0;
     SQLite::Transaction transaction(db);

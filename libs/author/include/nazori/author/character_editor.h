@@ -78,8 +78,8 @@ class Journal;
 class CharacterEditor {
  public:
   /// @param character  the start: an empty one, copy_of(), from_height_map(), from_strokes() or of a file.
-  /// @param size  samples per side of map() and of a new hand's layer; a layer that is there gives its own,
-  /// if it is larger than 256, else it is interpolated to `size` at once.
+  /// @param size  samples per side of map() and of a new hand's layer. A finer layer makes the map as fine; a
+  /// coarser one keeps its size until a tool changes it.
   /// @return the errors of validate() and carve().
   [[nodiscard]] static base::Result<CharacterEditor> create(OwnCharacter character, int size = kMapSize);
   ~CharacterEditor();

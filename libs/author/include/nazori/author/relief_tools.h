@@ -31,7 +31,7 @@ struct ToolSettings {
 };
 
 /// Most points of one movement of a tool.
-inline constexpr std::size_t kMostToolPoints = 20'000;
+inline constexpr std::size_t kMostToolPoints = 10'000;
 
 /// Moves a tool over the relief. The same calls give the same bytes.
 /// @param pen  one movement; a missing pressure counts as 1.
