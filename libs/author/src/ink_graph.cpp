@@ -133,6 +133,24 @@ class Reader {
   std::vector<std::uint8_t> done_;
 };
 
+/// The free end of a branch without the part that runs into the rim of a round end: the last point whose disc
+/// does not cover what comes after it.
+GridPoint end_without_rim(const Branch& branch, bool at_front, const InkMap& map) {
+  constexpr double kInRadii = 0.1;
+  constexpr double kLeast = 0.8;
+  const std::size_t count = branch.points.size();
+  const auto at = [&](std::size_t i) { return at_front ? branch.points[i] : branch.points[count - 1 - i]; };
+  const double rim = radius_at(map.distance, at(0));
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < count; ++i) {
+    const double radius = radius_at(map.distance, at(i));
+    const double beyond = geometry::distance(at(0), at(i)) + rim - radius;
+    if (beyond <= kInRadii * radius + kLeast) best = i;
+    if (static_cast<double>(i) > 2 * radius + 4) break;
+  }
+  return at(best);
+}
+
 /// By how much the ink around the free end of a branch reaches beyond the disc at its node [samples].
 double reach_beyond(const Branch& branch, const Node& node, const DistanceMap& distance) {
   const GridPoint end = branch.from < 0 ? branch.points.front() : branch.points.back();
@@ -191,8 +209,8 @@ InkGraph middle_lines(const InkMap& map) {
   };
   for (const Branch& branch : first.branches) {
     if (branch.is_ring) continue;
-    if (branch.from < 0) keep(branch.points.front());
-    if (branch.to < 0) keep(branch.points.back());
+    if (branch.from < 0) keep(end_without_rim(branch, true, map));
+    if (branch.to < 0) keep(end_without_rim(branch, false, map));
     for (const int node : {branch.from, branch.to})
       if (node >= 0) ++arms[static_cast<std::size_t>(node)];
   }
