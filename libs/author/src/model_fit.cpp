@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaps.h"
 #include "groove_line.h"
 #include "ink_graph.h"
 #include "junctions.h"
@@ -31,7 +32,7 @@ GlyphLine evenly(const GlyphLine& line) {
 
 std::vector<FittedStroke> fitted(const InkMap& map, std::span<const kanji::StrokeLine> character) {
   const double reach = map.is_groove ? kGrooveReach : kInkReach;
-  const Ridge ridge = ridge_of(middle_lines(map), reach);
+  const Ridge ridge = ridge_of(divided_at_gaps(middle_lines(map), map), reach);
   std::vector<GlyphLine> lines;
   lines.reserve(character.size());
   for (const kanji::StrokeLine& stroke : character) lines.push_back(evenly(stroke.points));

@@ -66,7 +66,7 @@ bool is_written_through(GridPoint a, GridPoint b, bool hole) {
   // From above or the upper right, then to the right or the lower right: └ く. Closed shapes are closed by a
   // stroke of its own.
   if (arms(-80, 35, 5, 40)) return !hole;
-  if (arms(-50, 30, 35, 40)) return true;
+  if (arms(-60, 40, 40, 35)) return true;
   return false;
 }
 

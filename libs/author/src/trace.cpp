@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "gaps.h"
 #include "groove_line.h"
 #include "ink_graph.h"
 #include "ink_map.h"
@@ -16,7 +17,7 @@ namespace nazori::author {
 namespace {
 
 base::Result<std::vector<OwnStroke>> strokes_of(const InkMap& map) {
-  const InkGraph graph = middle_lines(map);
+  const InkGraph graph = divided_at_gaps(middle_lines(map), map);
   const Arms arms = arms_of(graph, map.is_groove ? kGrooveReach : kInkReach);
   const std::vector<GridLine> lines = divided(joined(arms), map);
   if (lines.size() > kMostTracedStrokes) {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace nazori::author {
+namespace {
+
+using geometry::GridPoint;
+
+std::size_t pixel(const InkMap& map, GridPoint p) {
+  return map.index(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+}
+
+/// Where a branch is divided: the last point of its first part and the first of its second one.
+struct Gap {
+  std::ptrdiff_t before = 0;
+  std::ptrdiff_t after = 0;
+};
+
+/// The deepest gap of values along a branch that is narrow.
+/// @param values  depth or width. @param radius  half of the width [points].
+std::optional<Gap> gap_of(const std::vector<double>& values, const std::vector<double>& radius, double most) {
+  constexpr double kReach = 2.5;   // radii on both sides within which it is deep again
+  constexpr double kWhole = 0.96;  // of the greatest value: there a stroke ends
+  const auto count = static_cast<std::ptrdiff_t>(values.size());
+  const auto value = [&](std::ptrdiff_t i) { return values[static_cast<std::size_t>(i)]; };
+  std::optional<Gap> best;
+  double least = most;
+  for (std::ptrdiff_t i = 1; i + 1 < count; ++i) {
+    if (value(i) > value(i - 1) || value(i) > value(i + 1)) continue;
+    double around = 0;
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - 12); k < std::min(count, i + 13); ++k)
+      around = std::max(around, radius[static_cast<std::size_t>(k)]);
+    const auto reach = static_cast<std::ptrdiff_t>(kReach * around);
+    std::ptrdiff_t left = i;
+    for (std::ptrdiff_t k = i; k >= std::max<std::ptrdiff_t>(0, i - reach); --k)
+      if (value(k) > value(left)) left = k;
+    std::ptrdiff_t right = i;
+    for (std::ptrdiff_t k = i; k < std::min(count, i + reach + 1); ++k)
+      if (value(k) > value(right)) right = k;
+    const double lower = std::min(value(left), value(right));
+    if (lower <= 0 || value(i) / lower >= least) continue;
+    least = value(i) / lower;
+    // A round end is as deep as its stroke within a radius; a sweep is not, and ends in the gap itself.
+    const auto near = static_cast<std::ptrdiff_t>(1.1 * around);
+    Gap gap{i, i};
+    for (std::ptrdiff_t k = i; k >= std::max<std::ptrdiff_t>(0, i - near); --k)
+      if (value(k) >= kWhole * value(left)) {
+        gap.before = k;
+        break;
+      }
+    for (std::ptrdiff_t k = i; k < std::min(count, i + near + 1); ++k)
+      if (value(k) >= kWhole * value(right)) {
+        gap.after = k;
+        break;
+      }
+    best = gap;
+  }
+  return best;
+}
+
+}  // namespace
+
+InkGraph divided_at_gaps(const InkGraph& graph, const InkMap& map) {
+  // The least value in a gap, in parts of what is around it.
+  const double most = map.is_groove ? 0.93 : 0.72;
+  constexpr double kRest = 1.25;  // radii: what is shorter beside a node is the rim of its stroke
+  InkGraph out = graph;
+  out.branches.clear();
+  std::vector<Branch> open = graph.branches;
+  while (!open.empty()) {
+    Branch branch = std::move(open.back());
+    open.pop_back();
+    std::vector<double> values;
+    std::vector<double> radius;
+    const auto add = [&](GridPoint p) {
+      radius.push_back(std::max(0.5, static_cast<double>(map.distance.distance[pixel(map, p)]) - 0.5));
+      values.push_back(map.is_groove ? static_cast<double>(map.depth[pixel(map, p)]) : radius.back());
+    };
+    const auto node = [&](int n) -> const Node& { return graph.nodes[static_cast<std::size_t>(n)]; };
+    const std::ptrdiff_t first = branch.from >= 0 ? 1 : 0;
+    if (branch.from >= 0) add(node(branch.from).at);
+    for (const GridPoint p : branch.points) add(p);
+    if (branch.to >= 0) add(node(branch.to).at);
+    const auto gap = branch.is_ring ? std::nullopt : gap_of(values, radius, most);
+    if (!gap) {
+      out.branches.push_back(std::move(branch));
+      continue;
+    }
+    const auto count = static_cast<std::ptrdiff_t>(branch.points.size());
+    const std::ptrdiff_t before = std::clamp<std::ptrdiff_t>(gap->before - first + 1, 0, count);
+    const std::ptrdiff_t after = std::clamp<std::ptrdiff_t>(gap->after - first, 0, count);
+    const auto begin = branch.points.begin();
+    Branch front{{begin, begin + before}, branch.from, -1};
+    Branch back{{begin + after, branch.points.end()}, -1, branch.to};
+    const auto keep = [&](Branch part, int n) {
+      if (part.points.empty()) return;
+      if (n >= 0 && static_cast<double>(part.points.size()) < kRest * node(n).radius) return;
+      // A part as long as the whole would be divided again and again.
+      if (part.points.size() >= branch.points.size()) {
+        out.branches.push_back(std::move(part));
+        return;
+      }
+      open.push_back(std::move(part));
+    };
+    keep(std::move(front), branch.from);
+    keep(std::move(back), branch.to);
+  }
+  return out;
+}
+
+}  // namespace nazori::author
