@@ -20,11 +20,13 @@ std::size_t pixel(const InkMap& map, GridPoint p) {
 struct Gap {
   std::ptrdiff_t before = 0;
   std::ptrdiff_t after = 0;
+  std::ptrdiff_t at = 0;  ///< between them
 };
 
 /// The deepest gap of values along a branch that is narrow.
 /// @param values  depth or width. @param radius  half of the width [points].
-std::optional<Gap> gap_of(const std::vector<double>& values, const std::vector<double>& radius, double most) {
+std::optional<Gap> gap_of(const std::vector<double>& values, const std::vector<double>& radius, double most,
+                          bool is_groove) {
   constexpr double kReach = 2.5;   // radii on both sides within which it is deep again
   constexpr double kWhole = 0.96;  // of the greatest value: there a stroke ends
   const auto count = static_cast<std::ptrdiff_t>(values.size());
@@ -46,19 +48,21 @@ std::optional<Gap> gap_of(const std::vector<double>& values, const std::vector<d
     const double lower = std::min(value(left), value(right));
     if (lower <= 0 || value(i) / lower >= least) continue;
     least = value(i) / lower;
-    // A round end is as deep as its stroke within a radius; a sweep is not, and ends in the gap itself.
+    // A round end is as deep as its stroke within a radius. A sweep falls off more slowly than such an end and
+    // reaches into the gap.
     const auto near = static_cast<std::ptrdiff_t>(1.1 * around);
-    Gap gap{i, i};
-    for (std::ptrdiff_t k = i; k >= std::max<std::ptrdiff_t>(0, i - near); --k)
-      if (value(k) >= kWhole * value(left)) {
-        gap.before = k;
-        break;
+    const auto end_from = [&](std::ptrdiff_t step, double whole) {
+      for (std::ptrdiff_t k = i; k >= 0 && k < count && std::abs(k - i) <= near; k += step) {
+        if (value(k) < kWhole * whole) continue;
+        const double r = radius[static_cast<std::size_t>(k)];
+        const double share = std::min(1.0, static_cast<double>(std::abs(k - i)) / 2 / std::max(r, 1.0));
+        const double round = is_groove ? std::pow(1 - share * share, 2) : std::sqrt(1 - share * share);
+        constexpr double kSlower = 0.12;
+        return value((k + i) / 2) > (round + kSlower) * value(k) ? i : k;
       }
-    for (std::ptrdiff_t k = i; k < std::min(count, i + near + 1); ++k)
-      if (value(k) >= kWhole * value(right)) {
-        gap.after = k;
-        break;
-      }
+      return i;
+    };
+    const Gap gap{end_from(-1, value(left)), end_from(1, value(right)), i};
     best = gap;
   }
   return best;
@@ -87,7 +91,7 @@ InkGraph divided_at_gaps(const InkGraph& graph, const InkMap& map) {
     if (branch.from >= 0) add(node(branch.from).at);
     for (const GridPoint p : branch.points) add(p);
     if (branch.to >= 0) add(node(branch.to).at);
-    const auto gap = branch.is_ring ? std::nullopt : gap_of(values, radius, most);
+    const auto gap = branch.is_ring ? std::nullopt : gap_of(values, radius, most, map.is_groove);
     if (!gap) {
       out.branches.push_back(std::move(branch));
       continue;
@@ -96,8 +100,10 @@ InkGraph divided_at_gaps(const InkGraph& graph, const InkMap& map) {
     const std::ptrdiff_t before = std::clamp<std::ptrdiff_t>(gap->before - first + 1, 0, count);
     const std::ptrdiff_t after = std::clamp<std::ptrdiff_t>(gap->after - first, 0, count);
     const auto begin = branch.points.begin();
-    Branch front{{begin, begin + before}, branch.from, -1};
-    Branch back{{begin + after, branch.points.end()}, -1, branch.to};
+    const std::ptrdiff_t between = std::clamp<std::ptrdiff_t>(gap->at - first, 0, count - 1);
+    const GridPoint tip = branch.points[static_cast<std::size_t>(between)];
+    Branch front{{begin, begin + before}, branch.from, -1, false, branch.front_tip, tip};
+    Branch back{{begin + after, branch.points.end()}, -1, branch.to, false, tip, branch.back_tip};
     const auto keep = [&](Branch part, int n) {
       if (part.points.empty()) return;
       if (n >= 0 && static_cast<double>(part.points.size()) < kRest * node(n).radius) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "distance_map.h"
@@ -16,6 +17,9 @@ struct Branch {
   int from = -1;                            ///< node at the front; -1: it ends freely, or is a ring
   int to = -1;                              ///< node at the back
   bool is_ring = false;                     ///< without ends: the last point is beside the first
+  /// Of a free end that touches another stroke: where both meet. A sweep goes on to there.
+  std::optional<geometry::GridPoint> front_tip = {};
+  std::optional<geometry::GridPoint> back_tip = {};
 };
 
 /// Where three or more branches meet.

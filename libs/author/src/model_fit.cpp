@@ -35,13 +35,18 @@ std::vector<FittedStroke> fitted(const InkMap& map, std::span<const kanji::Strok
   const Ridge ridge = ridge_of(divided_at_gaps(middle_lines(map), map), reach);
   std::vector<GlyphLine> lines;
   lines.reserve(character.size());
-  for (const kanji::StrokeLine& stroke : character) lines.push_back(evenly(stroke.points));
+  std::vector<bool> thins_out;
+  for (const kanji::StrokeLine& stroke : character) {
+    lines.push_back(evenly(stroke.points));
+    thins_out.push_back(stroke.ending == kanji::StrokeEnding::taper ||
+                        stroke.ending == kanji::StrokeEnding::hook);
+  }
   const LaidOver over = laid_over(lines, ridge, map.is_groove);
   constexpr double kFirstGate = 4.5;
   constexpr double kGate = 2.5;
   std::vector<GlyphLine> first;
-  for (Snapped& s : snapped(over.bent, ridge, kFirstGate)) first.push_back(evenly(s.line));
-  const std::vector<Snapped> second = snapped(first, ridge, kGate);
+  for (Snapped& s : snapped(over.bent, thins_out, ridge, kFirstGate)) first.push_back(evenly(s.line));
+  const std::vector<Snapped> second = snapped(first, thins_out, ridge, kGate);
 
   std::vector<FittedStroke> out;
   for (std::size_t k = 0; k < second.size(); ++k) {

@@ -45,8 +45,13 @@ Ridge ridge_of(const InkGraph& graph, double reach) {
     if (branch.is_ring) continue;
     const std::size_t last = line.size() - 1;
     const std::size_t look = std::min<std::size_t>(4, last);
-    if (from == nullptr) ridge.ends.push_back({glyph(0), unit(glyph(0) - glyph(look))});
-    if (to == nullptr) ridge.ends.push_back({glyph(last), unit(glyph(last) - glyph(last - look))});
+    const auto tip = [&](const std::optional<GridPoint>& given, std::size_t i) {
+      return given ? geometry::grid_to_glyph(*given, kInkSide) : glyph(i);
+    };
+    if (from == nullptr)
+      ridge.ends.push_back({glyph(0), tip(branch.front_tip, 0), unit(glyph(0) - glyph(look))});
+    if (to == nullptr)
+      ridge.ends.push_back({glyph(last), tip(branch.back_tip, last), unit(glyph(last) - glyph(last - look))});
   }
   return ridge;
 }

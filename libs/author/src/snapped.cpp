@@ -173,7 +173,8 @@ GlyphPoint outward(const GlyphLine& line, bool is_start) {
 /// For each start and end of a line the free end of ink that is its own: [0] the start, [1] the end.
 using EndGoals = std::vector<std::array<std::optional<Goal>, 2>>;
 
-void take_free_ends(EndGoals& goals, const std::vector<GlyphLine>& lines, const Ridge& ridge, double reach) {
+void take_free_ends(EndGoals& goals, const std::vector<GlyphLine>& lines,
+                    const std::vector<bool>& thins_out, const Ridge& ridge, double reach) {
   struct Pair {
     double cost;
     LineEnd line_end;
@@ -198,7 +199,8 @@ void take_free_ends(EndGoals& goals, const std::vector<GlyphLine>& lines, const 
     auto& goal = goals[p.line_end.line][p.line_end.is_start ? 0 : 1];
     if (goal || taken[p.ink_end]) continue;
     taken[p.ink_end] = true;
-    goal = Goal{ridge.ends[p.ink_end].at};
+    const RidgeEnd& end = ridge.ends[p.ink_end];
+    goal = Goal{!p.line_end.is_start && thins_out[p.line_end.line] ? end.tip : end.at};
   }
 }
 
@@ -226,7 +228,8 @@ void stay_attached(EndGoals& goals, const std::vector<GlyphLine>& before,
 
 }  // namespace
 
-std::vector<Snapped> snapped(const std::vector<GlyphLine>& lines, const Ridge& ridge, double gate) {
+std::vector<Snapped> snapped(const std::vector<GlyphLine>& lines, const std::vector<bool>& thins_out,
+                             const Ridge& ridge, double gate) {
   constexpr double kEndReach = 1.6;  // in gates
   EndGoals goals(lines.size());
   std::vector<std::vector<std::optional<double>>> offsets;
@@ -235,7 +238,7 @@ std::vector<Snapped> snapped(const std::vector<GlyphLine>& lines, const Ridge& r
     offsets.push_back(offsets_of(line, ridge, gate));
     after.push_back(relaxed(line, offsets.back(), {}, {}));
   }
-  take_free_ends(goals, after, ridge, kEndReach * gate);
+  take_free_ends(goals, after, thins_out, ridge, kEndReach * gate);
   for (std::size_t k = 0; k < lines.size(); ++k)
     after[k] = relaxed(lines[k], offsets[k], goals[k][0], goals[k][1]);
   stay_attached(goals, lines, after);
