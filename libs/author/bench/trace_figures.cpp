@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
         f.both += d.mean <= kWithin && is_ending ? 1 : 0;
         f.direction += geometry::dot(way, own) > 0 ? 1 : 0;
         if (!only.empty() || std::getenv("VERBOSE") != nullptr)
-          if (!only.empty() || d.mean > kWithin || !is_ending)
+          if (!only.empty() || d.most_of_95 > kWithin || !is_ending)
             std::printf(
                 "%s %zu: mean %.2f, 95 %% %.2f, most %.2f; ending %d, is %d; (%.0f,%.0f)-(%.0f,%.0f) is "
                 "(%.0f,%.0f)-(%.0f,%.0f)\n",

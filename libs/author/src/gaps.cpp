@@ -21,6 +21,8 @@ struct Gap {
   std::ptrdiff_t before = 0;
   std::ptrdiff_t after = 0;
   std::ptrdiff_t at = 0;  ///< between them
+  bool before_thins_out = false;  ///< the first part goes on to `at`
+  bool after_thins_out = false;
 };
 
 /// The deepest gap of values along a branch that is narrow.
@@ -51,18 +53,21 @@ std::optional<Gap> gap_of(const std::vector<double>& values, const std::vector<d
     // A round end is as deep as its stroke within a radius. A sweep falls off more slowly than such an end and
     // reaches into the gap.
     const auto near = static_cast<std::ptrdiff_t>(1.1 * around);
-    const auto end_from = [&](std::ptrdiff_t step, double whole) {
+    Gap gap{i, i, i};
+    const auto end_from = [&](std::ptrdiff_t step, double whole, std::ptrdiff_t& end, bool& thins_out) {
       for (std::ptrdiff_t k = i; k >= 0 && k < count && std::abs(k - i) <= near; k += step) {
         if (value(k) < kWhole * whole) continue;
         const double r = radius[static_cast<std::size_t>(k)];
         const double share = std::min(1.0, static_cast<double>(std::abs(k - i)) / 2 / std::max(r, 1.0));
         const double round = is_groove ? std::pow(1 - share * share, 2) : std::sqrt(1 - share * share);
         constexpr double kSlower = 0.12;
-        return value((k + i) / 2) > (round + kSlower) * value(k) ? i : k;
+        end = k;
+        thins_out = value((k + i) / 2) > (round + kSlower) * value(k);
+        return;
       }
-      return i;
     };
-    const Gap gap{end_from(-1, value(left)), end_from(1, value(right)), i};
+    end_from(-1, value(left), gap.before, gap.before_thins_out);
+    end_from(1, value(right), gap.after, gap.after_thins_out);
     best = gap;
   }
   return best;
@@ -102,8 +107,10 @@ InkGraph divided_at_gaps(const InkGraph& graph, const InkMap& map) {
     const auto begin = branch.points.begin();
     const std::ptrdiff_t between = std::clamp<std::ptrdiff_t>(gap->at - first, 0, count - 1);
     const GridPoint tip = branch.points[static_cast<std::size_t>(between)];
-    Branch front{{begin, begin + before}, branch.from, -1, false, branch.front_tip, tip};
-    Branch back{{begin + after, branch.points.end()}, -1, branch.to, false, tip, branch.back_tip};
+    Branch front{{begin, begin + before}, branch.from, -1, false, branch.front_tip,
+                 TouchingTip{tip, gap->before_thins_out}};
+    Branch back{{begin + after, branch.points.end()}, -1, branch.to, false,
+                TouchingTip{tip, gap->after_thins_out}, branch.back_tip};
     const auto keep = [&](Branch part, int n) {
       if (part.points.empty()) return;
       if (n >= 0 && static_cast<double>(part.points.size()) < kRest * node(n).radius) return;

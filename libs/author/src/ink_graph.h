@@ -11,15 +11,20 @@
 
 namespace nazori::author {
 
+/// Where a stroke that ends freely touches another one: a round end does not reach it, a sweep does.
+struct TouchingTip {
+  geometry::GridPoint at;
+  bool thins_out = false;  ///< the ink looks like a sweep
+};
+
 /// A line of the skeleton between two nodes.
 struct Branch {
   std::vector<geometry::GridPoint> points;  ///< neighbouring pixels, those of its nodes not among them
   int from = -1;                            ///< node at the front; -1: it ends freely, or is a ring
   int to = -1;                              ///< node at the back
   bool is_ring = false;                     ///< without ends: the last point is beside the first
-  /// Of a free end that touches another stroke: where both meet. A sweep goes on to there.
-  std::optional<geometry::GridPoint> front_tip = {};
-  std::optional<geometry::GridPoint> back_tip = {};
+  std::optional<TouchingTip> front_tip = {};  ///< of a free end that touches another stroke
+  std::optional<TouchingTip> back_tip = {};
 };
 
 /// Where three or more branches meet.

@@ -53,7 +53,7 @@ std::vector<FittedStroke> fitted(const InkMap& map, std::span<const kanji::Strok
     GridLine line;
     for (const GlyphPoint p : second[k].line) line.push_back(geometry::glyph_to_grid(p, kInkSide));
     FittedStroke fit{groove_along(line, map), {}, 0, 0};
-    lengthen_tips(fit.stroke);
+    if (thins_out[k]) lengthen_tips(fit.stroke);
     fit.ending_of_ink = ending_of_ink(fit.stroke);
     fit.stroke.ending = character[k].ending;
     const auto on = std::count(second[k].is_on_ink.begin(), second[k].is_on_ink.end(), true);

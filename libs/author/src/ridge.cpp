@@ -45,13 +45,12 @@ Ridge ridge_of(const InkGraph& graph, double reach) {
     if (branch.is_ring) continue;
     const std::size_t last = line.size() - 1;
     const std::size_t look = std::min<std::size_t>(4, last);
-    const auto tip = [&](const std::optional<GridPoint>& given, std::size_t i) {
-      return given ? geometry::grid_to_glyph(*given, kInkSide) : glyph(i);
+    const auto add = [&](const std::optional<TouchingTip>& tip, std::size_t i, std::size_t inside) {
+      ridge.ends.push_back({glyph(i), tip ? geometry::grid_to_glyph(tip->at, kInkSide) : glyph(i),
+                            unit(glyph(i) - glyph(inside)), tip.has_value()});
     };
-    if (from == nullptr)
-      ridge.ends.push_back({glyph(0), tip(branch.front_tip, 0), unit(glyph(0) - glyph(look))});
-    if (to == nullptr)
-      ridge.ends.push_back({glyph(last), tip(branch.back_tip, last), unit(glyph(last) - glyph(last - look))});
+    if (from == nullptr) add(branch.front_tip, 0, look);
+    if (to == nullptr) add(branch.back_tip, last, last - look);
   }
   return ridge;
 }

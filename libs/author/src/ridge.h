@@ -19,6 +19,7 @@ struct RidgeEnd {
   geometry::GlyphPoint at;
   geometry::GlyphPoint tip;  ///< of a line that thins out
   geometry::GlyphPoint out;  ///< unit direction in which the line ends
+  bool touches = false;      ///< another stroke, which may hide the true end
 };
 
 struct Ridge {

@@ -170,6 +170,14 @@ GlyphPoint outward(const GlyphLine& line, bool is_start) {
   return is_start ? unit(line.front() - line[look]) : unit(line.back() - line[line.size() - 1 - look]);
 }
 
+/// Whether an end of a line lies on another line: then its ink ends in that of the other.
+bool is_on_another(const std::vector<GlyphLine>& lines, std::size_t k, bool is_start, double within) {
+  for (std::size_t j = 0; j < lines.size(); ++j)
+    if (j != k && geometry::nearest_point<geometry::GlyphFrame>(lines[j], end_of(lines[k], is_start)).distance < within)
+      return true;
+  return false;
+}
+
 /// For each start and end of a line the free end of ink that is its own: [0] the start, [1] the end.
 using EndGoals = std::vector<std::array<std::optional<Goal>, 2>>;
 
@@ -181,10 +189,15 @@ void take_free_ends(EndGoals& goals, const std::vector<GlyphLine>& lines,
     std::size_t ink_end;
   };
   constexpr double kTurn = 0.6;  // cosine
+  // An end this close to another line is in its ink [glyph units]; the last part of a sweep is narrow.
+  constexpr double kHidden = 1.6;
+  constexpr double kHiddenSweep = 4.0;
   std::vector<Pair> pairs;
   for (std::size_t k = 0; k < lines.size(); ++k)
     for (const bool is_start : {true, false})
       for (std::size_t e = 0; e < ridge.ends.size(); ++e) {
+        const double hidden = !is_start && thins_out[k] ? kHiddenSweep : kHidden;
+        if (ridge.ends[e].touches && is_on_another(lines, k, is_start, hidden)) continue;
         const GlyphPoint out = outward(lines[k], is_start);
         const double same = geometry::dot(out, ridge.ends[e].out);
         const GlyphPoint gap = ridge.ends[e].at - end_of(lines[k], is_start);
