@@ -20,7 +20,7 @@ std::size_t pixel(const InkMap& map, GridPoint p) {
 struct Gap {
   std::ptrdiff_t before = 0;
   std::ptrdiff_t after = 0;
-  std::ptrdiff_t at = 0;  ///< between them
+  std::ptrdiff_t at = 0;          ///< between them
   bool before_thins_out = false;  ///< the first part goes on to `at`
   bool after_thins_out = false;
 };
@@ -50,8 +50,8 @@ std::optional<Gap> gap_of(const std::vector<double>& values, const std::vector<d
     const double lower = std::min(value(left), value(right));
     if (lower <= 0 || value(i) / lower >= least) continue;
     least = value(i) / lower;
-    // A round end is as deep as its stroke within a radius. A sweep falls off more slowly than such an end and
-    // reaches into the gap.
+    // A round end is as deep as its stroke within a radius. A sweep falls off more slowly than such an end
+    // and reaches into the gap.
     const auto near = static_cast<std::ptrdiff_t>(1.1 * around);
     Gap gap{i, i, i};
     const auto end_from = [&](std::ptrdiff_t step, double whole, std::ptrdiff_t& end, bool& thins_out) {
@@ -107,10 +107,18 @@ InkGraph divided_at_gaps(const InkGraph& graph, const InkMap& map) {
     const auto begin = branch.points.begin();
     const std::ptrdiff_t between = std::clamp<std::ptrdiff_t>(gap->at - first, 0, count - 1);
     const GridPoint tip = branch.points[static_cast<std::size_t>(between)];
-    Branch front{{begin, begin + before}, branch.from, -1, false, branch.front_tip,
+    Branch front{{begin, begin + before},
+                 branch.from,
+                 -1,
+                 false,
+                 branch.front_tip,
                  TouchingTip{tip, gap->before_thins_out}};
-    Branch back{{begin + after, branch.points.end()}, -1, branch.to, false,
-                TouchingTip{tip, gap->after_thins_out}, branch.back_tip};
+    Branch back{{begin + after, branch.points.end()},
+                -1,
+                branch.to,
+                false,
+                TouchingTip{tip, gap->after_thins_out},
+                branch.back_tip};
     const auto keep = [&](Branch part, int n) {
       if (part.points.empty()) return;
       if (n >= 0 && static_cast<double>(part.points.size()) < kRest * node(n).radius) return;

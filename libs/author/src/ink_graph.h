@@ -19,10 +19,10 @@ struct TouchingTip {
 
 /// A line of the skeleton between two nodes.
 struct Branch {
-  std::vector<geometry::GridPoint> points;  ///< neighbouring pixels, those of its nodes not among them
-  int from = -1;                            ///< node at the front; -1: it ends freely, or is a ring
-  int to = -1;                              ///< node at the back
-  bool is_ring = false;                     ///< without ends: the last point is beside the first
+  std::vector<geometry::GridPoint> points;    ///< neighbouring pixels, those of its nodes not among them
+  int from = -1;                              ///< node at the front; -1: it ends freely, or is a ring
+  int to = -1;                                ///< node at the back
+  bool is_ring = false;                       ///< without ends: the last point is beside the first
   std::optional<TouchingTip> front_tip = {};  ///< of a free end that touches another stroke
   std::optional<TouchingTip> back_tip = {};
 };

@@ -173,7 +173,8 @@ GlyphPoint outward(const GlyphLine& line, bool is_start) {
 /// Whether an end of a line lies on another line: then its ink ends in that of the other.
 bool is_on_another(const std::vector<GlyphLine>& lines, std::size_t k, bool is_start, double within) {
   for (std::size_t j = 0; j < lines.size(); ++j)
-    if (j != k && geometry::nearest_point<geometry::GlyphFrame>(lines[j], end_of(lines[k], is_start)).distance < within)
+    if (j != k &&
+        geometry::nearest_point<geometry::GlyphFrame>(lines[j], end_of(lines[k], is_start)).distance < within)
       return true;
   return false;
 }
@@ -181,8 +182,8 @@ bool is_on_another(const std::vector<GlyphLine>& lines, std::size_t k, bool is_s
 /// For each start and end of a line the free end of ink that is its own: [0] the start, [1] the end.
 using EndGoals = std::vector<std::array<std::optional<Goal>, 2>>;
 
-void take_free_ends(EndGoals& goals, const std::vector<GlyphLine>& lines,
-                    const std::vector<bool>& thins_out, const Ridge& ridge, double reach) {
+void take_free_ends(EndGoals& goals, const std::vector<GlyphLine>& lines, const std::vector<bool>& thins_out,
+                    const Ridge& ridge, double reach) {
   struct Pair {
     double cost;
     LineEnd line_end;

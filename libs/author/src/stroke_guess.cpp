@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
+#include <utility>
 
 #include "nazori/geometry/polyline.h"
 
@@ -14,7 +16,8 @@ using geometry::GlyphPoint;
 using geometry::GridPoint;
 using kanji::StrokeEnding;
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180;
 
 GridPoint unit(GridPoint v) {
   const double l = geometry::length(v);
@@ -49,61 +52,98 @@ std::vector<std::uint8_t> holes_of(const InkMap& map) {
   return hole;
 }
 
-/// Whether a brush writes through a corner with these arms. @param hole  whether the corner is one of a
+/// What a brush does at a corner.
+enum class Turning : std::uint8_t {
+  lift,   ///< another stroke begins
+  fold,   ///< from the left, then down or to the lower left: ┐ フ
+  angle,  ///< from the upper right, then to the right or the lower right: く ム
+  bend,   ///< from above, then to the right: └
+};
+
+/// @param a,b  unit vectors from the corner along its arms. @param hole  whether the corner is one of a
 /// closed shape.
-bool is_written_through(GridPoint a, GridPoint b, bool hole) {
+Turning turning_of(GridPoint a, GridPoint b, bool hole) {
   const auto is = [&](GridPoint p, double degrees, double within) {
     const GridPoint q{std::cos(degrees * kDegree), std::sin(degrees * kDegree)};
     return geometry::angle_between(p, q) < within * kDegree;
   };
-  // One arm as in the words, the other as well, in any order.
+  // In any order, because nobody knows yet from which end the line is written.
   const auto arms = [&](double first, double within_first, double second, double within_second) {
     return (is(a, first, within_first) && is(b, second, within_second)) ||
            (is(b, first, within_first) && is(a, second, within_second));
   };
-  // From the left, then down or to the lower left: ┐ フ.
-  if (arms(180, 40, 110, 45)) return true;
-  // From above or the upper right, then to the right or the lower right: └ く. Closed shapes are closed by a
-  // stroke of its own.
-  if (arms(-80, 35, 5, 40)) return !hole;
-  if (arms(-60, 40, 40, 35)) return true;
-  return false;
+  if (arms(180, 40, 110, 45)) return Turning::fold;
+  if (arms(-65, 40, 45, 22) || arms(-50, 22, -5, 22)) return Turning::angle;
+  // Closed shapes are closed by a stroke of its own.
+  if (arms(-85, 30, 0, 30)) return hole ? Turning::lift : Turning::bend;
+  return Turning::lift;
+}
+
+/// A corner of a line and its arms.
+struct Bent {
+  std::size_t point = 0;
+  GridPoint before;  ///< unit vectors away from the corner
+  GridPoint after;
+  Turning turning = Turning::lift;
+};
+
+std::vector<Bent> bent_at(const GridLine& line, double radius, const InkMap& map,
+                          const std::vector<std::uint8_t>& hole) {
+  constexpr double kHook = 14 * kInkPerUnit;
+  constexpr double kLeastTurn = 50 * kDegree;
+  std::vector<Bent> out;
+  const double step = line.size() > 1 ? geometry::distance(line[0], line[1]) : 1.0;
+  for (const Corner& corner : corners_of(line, std::max(8.0, 1.8 * radius))) {
+    const std::size_t i = corner.point;
+    const auto look = static_cast<std::size_t>(std::max(3.0, 2.5 * radius / step));
+    Bent bent{i, unit(line[i - std::min(look, i)] - line[i]),
+              unit(line[std::min(i + look, line.size() - 1)] - line[i])};
+    if (std::max(corner.turn, kPi - geometry::angle_between(bent.before, bent.after)) < kLeastTurn) continue;
+    // A short arm that thins out is a hook.
+    const auto is_hook = [&](std::size_t points, GridPoint end) {
+      return static_cast<double>(points) * step < kHook &&
+             static_cast<double>(between(map.distance.distance, end)) < 0.5 * radius;
+    };
+    if (is_hook(i, line.front()) || is_hook(line.size() - 1 - i, line.back())) continue;
+    const GridPoint inside = line[i] + (bent.before + bent.after) * (1.3 * radius + 2);
+    const bool is_hole = inside.x >= 0 && inside.y >= 0 && inside.x < kInkSide - 1 &&
+                         inside.y < kInkSide - 1 &&
+                         hole[map.index(static_cast<int>(inside.x), static_cast<int>(inside.y))] != 0;
+    bent.turning = turning_of(bent.before, bent.after, is_hole);
+    out.push_back(bent);
+  }
+  // く is not written after ┐ without lifting the brush: the right side of 阝.
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    if (out[k].turning != Turning::angle) continue;
+    const bool upper_is_before = out[k].before.y < out[k].after.y;
+    if (upper_is_before ? k > 0 && out[k - 1].turning == Turning::fold
+                        : k + 1 < out.size() && out[k + 1].turning == Turning::fold)
+      out[k].turning = Turning::lift;
+  }
+  return out;
 }
 
 }  // namespace
 
 std::vector<GridLine> divided(const std::vector<GridLine>& lines, const InkMap& map) {
-  constexpr double kHook = 14 * kInkPerUnit;
   const std::vector<std::uint8_t> hole = holes_of(map);
   std::vector<GridLine> out;
   for (const GridLine& raw : lines) {
     const GridLine line = smoothed(raw);
     const double radius = static_cast<double>(between(map.distance.distance, line[line.size() / 2]));
-    const std::vector<Corner> corners = corners_of(line, std::max(8.0, 1.5 * radius));
     const double step = line.size() > 1 ? geometry::distance(line[0], line[1]) : 1.0;
     std::size_t begin = 0;
-    for (const Corner& corner : corners) {
-      const std::size_t i = corner.point;
-      const auto look = static_cast<std::size_t>(std::max(3.0, 2.5 * radius / step));
-      const GridPoint a = unit(line[i - std::min(look, i)] - line[i]);
-      const GridPoint b = unit(line[std::min(i + look, line.size() - 1)] - line[i]);
-      // A short arm that thins out is a hook.
-      const double before = static_cast<double>(i) * step;
-      const double after = static_cast<double>(line.size() - 1 - i) * step;
-      const auto is_hook = [&](double length, GridPoint end) {
-        return length < kHook && static_cast<double>(between(map.distance.distance, end)) < 0.5 * radius;
-      };
-      if (is_hook(before, line.front()) || is_hook(after, line.back())) continue;
-      const GridPoint inside = line[i] + (a + b) * (1.3 * radius + 2);
-      const bool is_hole = inside.x >= 0 && inside.y >= 0 && inside.x < kInkSide - 1 &&
-                           inside.y < kInkSide - 1 &&
-                           hole[map.index(static_cast<int>(inside.x), static_cast<int>(inside.y))] != 0;
-      if (corner.turn < 50 * kDegree || is_written_through(a, b, is_hole)) continue;
-      out.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin),
-                       line.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    for (const Bent& bent : bent_at(line, radius, map, hole)) {
+      if (bent.turning != Turning::lift) continue;
+      const std::size_t i = bent.point;
+      // What is shorter than it is wide is the rim of the other part.
+      if (static_cast<double>(i - begin) * step > radius)
+        out.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin),
+                         line.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       begin = i;
     }
-    out.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end());
+    if (begin == 0 || static_cast<double>(line.size() - 1 - begin) * step > radius)
+      out.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end());
   }
   return out;
 }
