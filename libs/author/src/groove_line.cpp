@@ -97,6 +97,36 @@ std::vector<Corner> corners_of(const GridLine& line, double reach) {
   return corners;
 }
 
+void centre_ends(GridLine& line, const InkMap& map, bool front, bool back) {
+  constexpr double kThinsOut = 0.8;   // of the width farther inside
+  constexpr double kOtherInk = 1.6;   // of the width, ahead
+  constexpr double kUneven = 1.3;     // one side to the other
+  if (line.size() < 3) return;
+  for (const bool at_front : {true, false}) {
+    if (!(at_front ? front : back)) continue;
+    if (at_front) std::reverse(line.begin(), line.end());
+    const double at_end = static_cast<double>(between(map.distance.distance, line.back()));
+    // Beside the line a radius inside, where the round end has begun nowhere.
+    std::size_t inside = line.size() - 1;
+    while (inside > 0 && geometry::distance(line[inside], line.back()) < std::max(3.0, 0.8 * at_end)) --inside;
+    const GridPoint out = unit(line.back() - line[inside]);
+    const GridPoint side{-out.y, out.x};
+    const auto left = to_rim(map, line[inside], side, 3 * at_end + 4);
+    const auto right = to_rim(map, line[inside], side * -1, 3 * at_end + 4);
+    const auto ahead = to_rim(map, line.back(), out, 3 * at_end + 4);
+    if (left && right && ahead && std::max(*left, *right) < kUneven * std::min(*left, *right) + 1) {
+      const double radius = (*left + *right) / 2;
+      const double shift = *ahead - radius;
+      if (at_end > kThinsOut * radius - 1 && *ahead < kOtherInk * radius) {
+        const GridPoint end = line.back() + out * shift;
+        while (line.size() > 2 && geometry::dot(end - line[line.size() - 2], out) < 1) line.pop_back();
+        line.back() = end;
+      }
+    }
+    if (at_front) std::reverse(line.begin(), line.end());
+  }
+}
+
 OwnStroke groove_along(const GridLine& line, const InkMap& map) {
   OwnStroke stroke;
   std::vector<std::optional<double>> widths(line.size());

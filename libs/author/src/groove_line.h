@@ -23,6 +23,10 @@ struct Corner {
 /// @param reach  how far on both sides of a point directions are taken [samples].
 [[nodiscard]] std::vector<Corner> corners_of(const GridLine& line, double reach);
 
+/// Moves ends of a line to the centre of the round end of the ink: as far from the rim ahead as the line is
+/// from the rims beside it. Ends in other ink and those that thin out stay where they are.
+void centre_ends(GridLine& line, const InkMap& map, bool front, bool back);
+
 /// The line with width and depth of the ink along it. Where other ink crosses, the width goes on from one
 /// side to the other.
 /// @param line  at least one point. @return points in glyph units; the ending is stop.

@@ -32,7 +32,7 @@ GlyphLine evenly(const GlyphLine& line) {
 
 std::vector<FittedStroke> fitted(const InkMap& map, std::span<const kanji::StrokeLine> character) {
   const double reach = map.is_groove ? kGrooveReach : kInkReach;
-  const Ridge ridge = ridge_of(divided_at_gaps(middle_lines(map), map), reach);
+  const Ridge ridge = ridge_of(divided_at_gaps(middle_lines(map), map), map, reach);
   std::vector<GlyphLine> lines;
   lines.reserve(character.size());
   std::vector<bool> thins_out;

@@ -20,7 +20,7 @@ GlyphPoint unit(GlyphPoint v) {
 
 }  // namespace
 
-Ridge ridge_of(const InkGraph& graph, double reach) {
+Ridge ridge_of(const InkGraph& graph, const InkMap& map, double reach) {
   constexpr double kSpacing = 3.0;
   Ridge ridge;
   for (const Branch& branch : graph.branches) {
@@ -33,6 +33,8 @@ Ridge ridge_of(const InkGraph& graph, double reach) {
     if (from != nullptr) line.insert(line.begin(), from->at);
     if (to != nullptr) line.push_back(to->at);
     line = smoothed(line, kSpacing);
+    if (!branch.is_ring)
+      centre_ends(line, map, from == nullptr && !branch.front_tip, to == nullptr && !branch.back_tip);
     const auto glyph = [&](std::size_t i) { return geometry::grid_to_glyph(line[i], kInkSide); };
     for (std::size_t i = 0; i < line.size(); ++i) {
       const GlyphPoint along =

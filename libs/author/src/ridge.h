@@ -27,7 +27,7 @@ struct Ridge {
   std::vector<RidgeEnd> ends;
 };
 
-/// @param reach  as of arms_of().
-[[nodiscard]] Ridge ridge_of(const InkGraph& graph, double reach);
+/// @param map  from which the graph was made. @param reach  as of arms_of().
+[[nodiscard]] Ridge ridge_of(const InkGraph& graph, const InkMap& map, double reach);
 
 }  // namespace nazori::author

@@ -19,7 +19,7 @@ namespace {
 base::Result<std::vector<OwnStroke>> strokes_of(const InkMap& map) {
   const InkGraph graph = divided_at_gaps(middle_lines(map), map);
   const Arms arms = arms_of(graph, map.is_groove ? kGrooveReach : kInkReach);
-  const std::vector<GridLine> lines = divided(joined(arms), map);
+  std::vector<GridLine> lines = divided(joined(arms), map);
   if (lines.size() > kMostTracedStrokes) {
     return base::fail(
         base::Errc::bad_argument,
@@ -27,7 +27,9 @@ base::Result<std::vector<OwnStroke>> strokes_of(const InkMap& map) {
         "cut the picture to one character, without patterns and noise");
   }
   std::vector<OwnStroke> strokes;
-  for (const GridLine& line : lines) {
+  for (GridLine& line : lines) {
+    const bool is_closed = line.front() == line.back();
+    centre_ends(line, map, !is_closed, !is_closed);
     OwnStroke stroke = groove_along(line, map);
     lengthen_tips(stroke);
     direct(stroke);
