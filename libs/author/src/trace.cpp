@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/author/trace.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "gaps.h"
+#include "groove_line.h"
+#include "ink_graph.h"
+#include "ink_map.h"
+#include "junctions.h"
+#include "model_fit.h"
+#include "stroke_guess.h"
+
+namespace nazori::author {
+namespace {
+
+base::Result<std::vector<OwnStroke>> strokes_of(const InkMap& map) {
+  const InkGraph graph = divided_at_gaps(middle_lines(map), map);
+  const Arms arms = arms_of(graph, map.is_groove ? kGrooveReach : kInkReach);
+  std::vector<GridLine> lines = divided(joined(arms), map);
+  if (lines.size() > kMostTracedStrokes) {
+    return base::fail(
+        base::Errc::bad_argument,
+        "there are " + std::to_string(lines.size()) + " separate lines, too many for one character", {},
+        "cut the picture to one character, without patterns and noise");
+  }
+  std::vector<OwnStroke> strokes;
+  for (GridLine& line : lines) {
+    const bool is_closed = line.front() == line.back();
+    centre_ends(line, map, !is_closed, !is_closed);
+    OwnStroke stroke = groove_along(line, map);
+    lengthen_tips(stroke);
+    direct(stroke);
+    stroke.ending = ending_of_ink(stroke);
+    strokes.push_back(std::move(stroke));
+  }
+  put_in_order(strokes);
+  return strokes;
+}
+
+base::Result<void> check(std::span<const kanji::StrokeLine> character) {
+  constexpr double kFarthest = 10 * geometry::kGlyphSide;
+  const auto fail = [](std::string what) {
+    return base::fail(base::Errc::bad_argument, std::move(what), "character", "give strokes of the database");
+  };
+  if (character.empty()) return fail("has no strokes");
+  if (character.size() > kMostTracedStrokes) return fail("has too many strokes");
+  for (const kanji::StrokeLine& stroke : character) {
+    if (stroke.points.empty()) return fail("has a stroke without points");
+    for (const geometry::GlyphPoint p : stroke.points)
+      if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest))
+        return fail("has a point far outside of the glyph box");
+  }
+  return {};
+}
+
+template <class Picture>
+base::Result<std::vector<FittedStroke>> fitted_to(const Picture& picture,
+                                                  std::span<const kanji::StrokeLine> character) {
+  if (auto fine = check(character); !fine) return tl::unexpected(fine.error());
+  const auto ink = ink_of(picture);
+  if (!ink) return tl::unexpected(ink.error());
+  return fitted(*ink, character);
+}
+
+}  // namespace
+
+base::Result<std::vector<OwnStroke>> trace(const surface::HeightMap& map) {
+  const auto ink = ink_of(map);
+  if (!ink) return tl::unexpected(ink.error());
+  return strokes_of(*ink);
+}
+
+base::Result<std::vector<OwnStroke>> trace(const scan::Photo& photo) {
+  const auto ink = ink_of(photo);
+  if (!ink) return tl::unexpected(ink.error());
+  return strokes_of(*ink);
+}
+
+base::Result<std::vector<FittedStroke>> trace_as(const surface::HeightMap& map,
+                                                 std::span<const kanji::StrokeLine> character) {
+  return fitted_to(map, character);
+}
+
+base::Result<std::vector<FittedStroke>> trace_as(const scan::Photo& photo,
+                                                 std::span<const kanji::StrokeLine> character) {
+  return fitted_to(photo, character);
+}
+
+}  // namespace nazori::author
