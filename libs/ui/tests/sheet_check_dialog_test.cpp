@@ -67,20 +67,15 @@ TEST(SheetWords, ASheetIsToldByWhatItsCellsAre) {
   EXPECT_EQ(sheet_words(sheet), QStringLiteral("Quiz, page 2: 1 cell, 1 legible, 0 not legible, 0 empty."));
 }
 
-template <class T>
-std::unique_ptr<Page> make(WindowParts& parts) {
-  return std::make_unique<T>(parts);
-}
-
 WindowParts* the_parts = nullptr;
-class PartsPage final : public Characters {
- public:
-  explicit PartsPage(WindowParts& parts) : Characters(parts) { the_parts = &parts; }
-};
+std::unique_ptr<Page> make_characters(WindowParts& parts) {
+  the_parts = &parts;
+  return std::make_unique<Characters>(parts);
+}
 
 class SheetCheckDialogTest : public WindowTest {
  protected:
-  SheetCheckDialogTest() { pages_ = {make<PartsPage>}; }
+  SheetCheckDialogTest() { pages_ = {make_characters}; }
   QString printed() {
     practice::WorksheetMaker maker(the_parts->inbox(), the_parts->learner().database_file());
     bool saved = false;
