@@ -50,6 +50,10 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
   save = make("save", tr("&Save as…"), tr("Save the tablet as RAW, PNG or .str"), "Ctrl+S");
   print = make("print", tr("&Print a worksheet…"),
                tr("Practice sheets, quizzes, flash cards and manuscript paper as PDF"), "Ctrl+P");
+  check_sheets =
+      make("check_sheets", tr("&Check worksheets…"),
+           tr("Read printed worksheets back from photographs: what is legible, and what needs care"),
+           "Ctrl+Alt+P");
   record = make("record", tr("&Record pen motion"), tr("Save every position and force of the pen to a file"),
                 "Ctrl+Shift+R", true);
   quit = make("quit", tr("&Quit"), tr("Close Nazori"), "Q Ctrl+Q");
@@ -106,7 +110,7 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
   make_exclusive({theme_desktop, theme_light, theme_dark});
   make_exclusive({language_desktop, language_english, language_japanese});
 
-  file_ = {tr("&File"), {open, save, nullptr, print, nullptr, record, nullptr, quit}};
+  file_ = {tr("&File"), {open, save, nullptr, print, check_sheets, nullptr, record, nullptr, quit}};
   tablet_ = {tr("&Tablet"),
              {wood,      slate,      classic,      nullptr,      reset_view,   zoom_in,   zoom_out,   nullptr,
               turn_left, turn_right, tilt_up,      tilt_down,    nullptr,      move_left, move_right, move_up,

@@ -15,7 +15,7 @@ class Actions final : public ActionSet {
  public:
   explicit Actions(QWidget* window);
 
-  QAction *open, *save, *print, *record, *quit;
+  QAction *open, *save, *print, *check_sheets, *record, *quit;
   QAction *groove_sound, *sound_louder, *sound_softer, *slope_help;
   QAction *wood, *slate, *classic;
   QAction *theme_desktop, *theme_light, *theme_dark;

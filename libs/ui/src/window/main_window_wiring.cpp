@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "nazori/practice/session_question.h"
+#include "nazori/studio/print/sheet_check_dialog.h"
 #include "nazori/studio/print/worksheet_dialog.h"
 #include "nazori/widgets/controls/feedback_line.h"
 #include "nazori/widgets/controls/input_watch.h"
@@ -75,6 +76,7 @@ void MainWindow::Inside::connect_actions() {
     focus_tablet();
   });
   on(actions->print, [this] { ask_worksheet(parts); });
+  on(actions->check_sheets, [this] { ask_sheet_check(parts); });
   on(actions->record, [this](bool wanted) {
     record(wanted);
     focus_tablet();
