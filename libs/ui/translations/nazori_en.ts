@@ -248,6 +248,26 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::SheetCheckDialog</name>
+    <message numerus="yes">
+        <source>Reading %n photographs…</source>
+        <translation>
+            <numerusform>Reading %n photograph…</numerusform>
+            <numerusform>Reading %n photographs…</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SheetWords</name>
+    <message numerus="yes">
+        <source>%n cells, </source>
+        <translation>
+            <numerusform>%n cell, </numerusform>
+            <numerusform>%n cells, </numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StageWords</name>
     <message numerus="yes">
         <source>All %n strokes shown. Space: play again. F6: trace.</source>

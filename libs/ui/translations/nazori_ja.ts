@@ -338,6 +338,14 @@
         <source>Practice sheets, quizzes, flash cards and manuscript paper as PDF</source>
         <translation>練習プリント、小テスト、カード、原稿用紙を PDF で作ります</translation>
     </message>
+    <message>
+        <source>&amp;Check worksheets…</source>
+        <translation>プリントを判定(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Read printed worksheets back from photographs: what is legible, and what needs care</source>
+        <translation>印刷したプリントの写真を読み取り、読める字と直したい字を示します</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::AdviceWords</name>
@@ -5736,6 +5744,152 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::SheetCheckDialog</name>
+    <message>
+        <source>Photograph</source>
+        <translation>写真</translation>
+    </message>
+    <message>
+        <source>Cells that need care</source>
+        <translation>気をつけたいます</translation>
+    </message>
+    <message>
+        <source>The photograph with its cells</source>
+        <translation>ますの付いた写真</translation>
+    </message>
+    <message>
+        <source>Check worksheets</source>
+        <translation>プリントを判定</translation>
+    </message>
+    <message>
+        <source>Stroke order and direction cannot be seen in a photograph.</source>
+        <translation>写真では書き順と画の向きは分かりません。</translation>
+    </message>
+    <message>
+        <source>&amp;Open photographs…</source>
+        <translation>写真を開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save the picture…</source>
+        <translation>画像を保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reading %n photographs…</source>
+        <translation>
+            <numerusform>写真%n枚を読み取っています…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open photographs of worksheets</source>
+        <translation>プリントの写真を開く</translation>
+    </message>
+    <message>
+        <source>Photographs and scans (*.jpg *.jpeg *.png)</source>
+        <translation>写真とスキャン (*.jpg *.jpeg *.png)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 checked</source>
+        <translation>%1 判定済み</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SheetWords</name>
+    <message>
+        <source>too small</source>
+        <translation>小さすぎます</translation>
+    </message>
+    <message>
+        <source>too large</source>
+        <translation>大きすぎます</translation>
+    </message>
+    <message>
+        <source>too high</source>
+        <translation>上に寄りすぎています</translation>
+    </message>
+    <message>
+        <source>too low</source>
+        <translation>下に寄りすぎています</translation>
+    </message>
+    <message>
+        <source>too far left</source>
+        <translation>左に寄りすぎています</translation>
+    </message>
+    <message>
+        <source>too far right</source>
+        <translation>右に寄りすぎています</translation>
+    </message>
+    <message>
+        <source>leans to the left</source>
+        <translation>左に傾いています</translation>
+    </message>
+    <message>
+        <source>leans to the right</source>
+        <translation>右に傾いています</translation>
+    </message>
+    <message>
+        <source>stroke %1 is missing</source>
+        <translation>%1画目がありません</translation>
+    </message>
+    <message>
+        <source>stroke %1 is too short</source>
+        <translation>%1画目が短すぎます</translation>
+    </message>
+    <message>
+        <source>has ink that belongs to no stroke</source>
+        <translation>どの画でもない線があります</translation>
+    </message>
+    <message>
+        <source>Quiz, page %1:</source>
+        <translation>小テスト、%1ページ：</translation>
+    </message>
+    <message>
+        <source>Practice sheet, page %1:</source>
+        <translation>練習プリント、%1ページ：</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells, </source>
+        <translation>
+            <numerusform>%nます、</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 legible, %2 not legible, %3 empty.</source>
+        <translation>読める字%1、読めない字%2、空のます%3。</translation>
+    </message>
+    <message>
+        <source>not legible, looks like %1</source>
+        <translation>読めません（%1に見えます）</translation>
+    </message>
+    <message>
+        <source>not legible</source>
+        <translation>読めません</translation>
+    </message>
+    <message>
+        <source>legible</source>
+        <translation>読めます</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Cell %1, %2: %3</source>
+        <translation>%1ます目、%2：%3</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::SolidDialog</name>
     <message>
         <source>Lines</source>
@@ -8903,7 +9057,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>%1  %2</source>
-        <translation>%1　%2</translation>
+        <translation>%1&#x3000;%2</translation>
     </message>
     <message>
         <source>There are no strokes.</source>
