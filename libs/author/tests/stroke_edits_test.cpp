@@ -75,6 +75,9 @@ TEST(EndingOf, IsReadFromTheWidthAndTheLine) {
   EXPECT_EQ(ending_of(hooked), StrokeEnding::stop);
   hooked.points[2].half_width = 0;
   EXPECT_EQ(ending_of(hooked), StrokeEnding::hook);
+  OwnStroke short_hook = even_stroke({{50, 50}, {50, 52.1}, {48, 52}});
+  short_hook.points[2].half_width = 0;
+  EXPECT_EQ(ending_of(short_hook), StrokeEnding::hook);
   // A sharp bend far from the end is a bend.
   OwnStroke bent = even_stroke({{20, 20}, {50, 20}, {50, 80}, {50, 90}});
   bent.points[3].half_width = 0;
