@@ -268,6 +268,16 @@ class Schemas(unittest.TestCase):
         self.answer("tablets#paint", "paint", self.path("d.csv"), "--output", self.path("w.png"), "--cells", "128")
         self.answer("tablets#feel", "feel", "一", "--input", self.path("d.csv"), "--output", self.path("f.csv"))
 
+    def test_characters_that_people_make(self):
+        file = self.path("a.svg")
+        self.answer("author#convert", "author", "convert", "二", "--output", file)
+        (fine,) = self.answer("author#check", "author", "check", file)
+        self.assertEqual(fine["findings"], [])
+        with open(file, encoding="utf-8") as text:
+            svg = text.read().replace("0 0 109 109", "0 0 9 9").replace("CC-BY-SA", "CC")
+        (found,) = self.answer("author#check", "author", "check", self.write("b.svg", svg), code=1)
+        self.assertEqual([one["kind"] for one in found["findings"]], ["licence_lost", "svg_view_box"])
+
     def test_sheets_read_back(self):
         pdf, photo = self.path("s.pdf"), self.path("s.png")
         self.run_verb("worksheet", "一", "--copies", "0", "--output", pdf)

@@ -134,9 +134,9 @@ TEST(Messages, HelpListsAllVerbsUnderOneHeading) {
   EXPECT_THAT(help, Not(HasSubstr("SUBCOMMAND")));
   EXPECT_THAT(help, Not(HasSubstr("Subcommands")));
   for (const char* verb :
-       {"info",  "search",    "carve",       "render",     "model",  "plot",      "demo",     "feel",
-        "paint", "record",    "devices",     "database",   "grade",  "recognise", "practise", "speak",
-        "study", "worksheet", "grade-sheet", "completion", "manual", "help"})
+       {"info",  "search",    "carve",       "render",   "model",      "plot",      "demo",     "feel",
+        "paint", "record",    "devices",     "database", "grade",      "recognise", "practise", "speak",
+        "study", "worksheet", "grade-sheet", "author",   "completion", "manual",    "help"})
     EXPECT_NE(help.find(std::string("\n  ") + verb + " ", verbs), std::string::npos) << verb;
 }
 
@@ -159,6 +159,8 @@ TEST(Messages, QuietIsTakenByEveryVerb) {
                                                                                     {"model"},
                                                                                     {"worksheet"},
                                                                                     {"grade-sheet"},
+                                                                                    {"author", "check"},
+                                                                                    {"author", "convert"},
                                                                                     {"plot"},
                                                                                     {"demo"},
                                                                                     {"feel"},

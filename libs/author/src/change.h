@@ -9,23 +9,27 @@
 
 namespace nazori::author {
 
+/// Strokes [first, first + count) are replaced by those that are held.
+struct StrokesChange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::vector<OwnStroke> held;
+  friend bool operator==(const StrokesChange&, const StrokesChange&) = default;
+};
+
+/// The samples of a box of the hand's layer.
+struct PatchChange {
+  carving::GridBox box;
+  int size = 0;                ///< of the layer
+  std::vector<float> heights;  ///< row by row; empty: the whole layer becomes untouched
+  friend bool operator==(const PatchChange&, const PatchChange&) = default;
+};
+
 /// One change of a character: what is not there at present. To do it and to undo it is the same: what is held
 /// here and what is in the character change places.
 struct Change {
-  /// Strokes [first, first + count) are replaced by those that are held.
-  struct Strokes {
-    std::size_t first = 0;
-    std::size_t count = 0;
-    std::vector<OwnStroke> held;
-    friend bool operator==(const Strokes&, const Strokes&) = default;
-  };
-  /// The samples of a box of the hand's layer.
-  struct Patch {
-    carving::GridBox box;
-    int size = 0;                ///< of the layer
-    std::vector<float> heights;  ///< row by row; empty: the whole layer becomes untouched
-    friend bool operator==(const Patch&, const Patch&) = default;
-  };
+  using Strokes = StrokesChange;
+  using Patch = PatchChange;
 
   EditKind kind = EditKind::none;
   std::size_t stroke = 0;  ///< what is dragged

@@ -146,7 +146,7 @@ class Checks {
     const bool is_stop = stroke.ending == kanji::StrokeEnding::stop;
     if (stroke.ending != kanji::StrokeEnding::either && is_stop == narrows)
       add({.kind = FindingKind::ending_differs, .stroke = k, .at = stroke.points.back().at});
-    constexpr double kSpike = 150;
+    constexpr double kSpike = 160;
     for (std::size_t i = 1; i + 1 < stroke.points.size(); ++i) {
       const GlyphPoint before = stroke.points[i].at - stroke.points[i - 1].at;
       const GlyphPoint after = stroke.points[i + 1].at - stroke.points[i].at;

@@ -47,6 +47,11 @@ base::Result<void> check_tool(const ToolSettings& settings, const Pen& pen) {
 
 GlyphPoint mirrored(GlyphPoint p) { return {geometry::kGlyphSide - p.x, p.y}; }
 
+carving::Groove mirrored(carving::Groove groove) {
+  for (carving::GroovePoint& p : groove) p.at = mirrored(p.at);
+  return groove;
+}
+
 /// The way of the tool as grooves, whose depth says how strongly the tool works.
 std::vector<carving::Groove> ways_of(const ToolSettings& settings, const Pen& pen) {
   constexpr double kTolerance = 0.05;
@@ -58,11 +63,7 @@ std::vector<carving::Groove> ways_of(const ToolSettings& settings, const Pen& pe
   way = settings.straight && way.size() > 2 ? carving::Groove{way.front(), way.back()}
                                             : simplified(way, kTolerance);
   std::vector<carving::Groove> ways{std::move(way)};
-  if (settings.mirrored) {
-    carving::Groove other = ways.front();
-    for (carving::GroovePoint& p : other) p.at = mirrored(p.at);
-    ways.push_back(std::move(other));
-  }
+  if (settings.mirrored) ways.push_back(mirrored(ways.front()));
   return ways;
 }
 
@@ -156,6 +157,9 @@ float stamp_depth(const surface::HeightMap& stamp, double u, double v) {
   return static_cast<float>(1 - (upper * (1 - b) + lower * b));
 }
 
+/// A groove, and its mirror image.
+std::vector<carving::Groove> both_halves(const carving::Groove& groove) { return {groove, mirrored(groove)}; }
+
 surface::HeightMap draw_stamp(StampShape shape) {
   constexpr int kSide = 65;
   constexpr double kHalfWidth = 14;
@@ -171,12 +175,12 @@ surface::HeightMap draw_stamp(StampShape shape) {
       grooves = {{{{kMiddle, kMiddle}, carving::kWidestHalf, 1}}};
       break;
     case StampShape::ring: {
-      std::vector<GlyphPoint> points;
-      for (int i = 0; i <= 24; ++i) {
+      std::vector<GlyphPoint> half;
+      for (int i = 0; i <= 12; ++i) {
         const double angle = i * 3.14159265358979323846 / 12;
-        points.push_back({kMiddle + 38 * std::sin(angle), kMiddle - 38 * std::cos(angle)});
+        half.push_back({kMiddle + 38 * std::sin(angle), kMiddle - 38 * std::cos(angle)});
       }
-      grooves = {line(std::move(points))};
+      grooves = both_halves(line(std::move(half)));
       break;
     }
     case StampShape::bar:
@@ -186,10 +190,10 @@ surface::HeightMap draw_stamp(StampShape shape) {
       grooves = {line({{16, kMiddle}, {93, kMiddle}}), line({{kMiddle, 16}, {kMiddle, 93}})};
       break;
     case StampShape::square:
-      grooves = {line({{18, 18}, {91, 18}, {91, 91}, {18, 91}, {18, 18}})};
+      grooves = both_halves(line({{kMiddle, 18}, {91, 18}, {91, 91}, {kMiddle, 91}}));
       break;
     case StampShape::triangle:
-      grooves = {line({{kMiddle, 18}, {91, 89}, {18, 89}, {kMiddle, 18}})};
+      grooves = both_halves(line({{kMiddle, 18}, {91, 89}, {kMiddle, 89}}));
       break;
   }
   return carving::carve_grooves(grooves, kSide).value();

@@ -28,8 +28,9 @@ tl::unexpected<base::Error> refuse(std::string what, std::string where = {}) {
   return base::fail(Errc::parse, std::move(what), std::move(where));
 }
 
-/// The shortest text that gives the same number.
+/// The shortest text that gives the same number. Paths know no -0.
 std::string number(double value) {
+  if (value == 0) return "0";
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   return {digits.data(), end.ptr};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "brush.h"
 #include "line_nodes.h"
@@ -129,8 +130,9 @@ WidthProfile profile_of(const std::vector<Node>& line, const Groove& groove) {
   return WidthProfile(std::move(knots_of_width));
 }
 
-/// @param least_steps  between two points of different width. @param scale  steps of 1.5 / scale.
-MarkedLine mark_groove(const Groove& groove, int size, double scale, int least_steps) {
+/// @param least_steps  between two points of different width. @param scale  steps of 1.5 / scale there.
+/// @param longest_step  everywhere.
+MarkedLine mark_groove(const Groove& groove, int size, double scale, int least_steps, double longest_step) {
   std::vector<GlyphPoint> points;
   points.reserve(groove.size());
   for (const GroovePoint& point : groove) points.push_back(point.at);
@@ -138,6 +140,7 @@ MarkedLine mark_groove(const Groove& groove, int size, double scale, int least_s
   const WidthProfile profile = profile_of(line.nodes, groove);
   std::vector<Zone> zones;
   const std::span<const WidthKnot> knots_of_width = profile.knots();
+  if (std::isfinite(longest_step)) zones.push_back({0, line.nodes.back().s, longest_step});
   for (std::size_t i = 0; i + 1 < knots_of_width.size(); ++i) {
     const WidthKnot& a = knots_of_width[i];
     const WidthKnot& b = knots_of_width[i + 1];
@@ -246,7 +249,7 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
 
 std::vector<Piece> trace(const Groove& groove, int size) {
   const double scale = (size - 1) / geometry::kGlyphSide;
-  const MarkedLine line = mark_groove(groove, size, scale, 4);
+  const MarkedLine line = mark_groove(groove, size, scale, 4, std::numeric_limits<double>::infinity());
   JoinedLine joined = joints_of(line, scale, 1.0);
   // As in a hook, a disc would stick out of walls that converge fast.
   constexpr double kFast = 0.05;
@@ -259,8 +262,8 @@ std::vector<Piece> trace(const Groove& groove, int size) {
 
 std::vector<SmoothPoint> smooth_line(const Groove& groove) {
   constexpr int kSize = 1024;
-  constexpr double kStepsPerUnit = 1.5;  // a step of one glyph unit
-  const MarkedLine line = mark_groove(groove, kSize, kStepsPerUnit, 2);
+  constexpr double kStep = 1;
+  const MarkedLine line = mark_groove(groove, kSize, 1.5 / kStep, 2, kStep);
   std::vector<SmoothPoint> out;
   out.reserve(line.nodes.size());
   std::size_t segment = 0;

@@ -56,7 +56,7 @@ std::vector<Groove> random_grooves(unsigned seed) {
 TEST(Groove, TheCopyOfAStrokeIsCarvedLikeTheStroke) {
   for (const std::string character : {"休", "永", "鬱", "口", "書", "あ", "の", "る"}) {
     const auto strokes = kanjivg(character);
-    EXPECT_LT(largest_difference(carved(strokes, kSize, {}), grooved(copies(strokes))), 0.01F) << character;
+    EXPECT_LT(largest_difference(carved(strokes, kSize, {}), grooved(copies(strokes))), 0.017F) << character;
   }
 }
 

@@ -26,7 +26,7 @@ enum class FindingKind : std::uint8_t {
   no_length,           ///< the stroke is shorter than 1 glyph unit: `amount`
   doubled,             ///< `second` lies on `stroke` along its whole length
   ending_differs,      ///< it is to stop but narrows over its last 15 %, or is a hook or sweep and does not
-  point_off_line,      ///< the line turns back at a point: `amount` degrees, more than 150
+  point_off_line,      ///< the line turns back at a point: `amount` degrees, more than 160
   too_shallow,         ///< the body of a groove is less than kReadableDepth deep: `amount`
   too_narrow,          ///< the body of a groove is narrower than the tip: `amount` glyph units
   thin_wall,           ///< the wall between two strokes is thinner than the tip: `amount` glyph units

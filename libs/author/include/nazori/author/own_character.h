@@ -88,9 +88,9 @@ struct OwnCharacter {
 [[nodiscard]] base::Result<void> validate(const Facts& facts, std::size_t strokes);
 [[nodiscard]] base::Result<void> validate(const std::vector<OwnStroke>& strokes);
 
-/// A copy of a character of the database: carved, it is the same as carving::carve() makes it but for 0.01 of
-/// the depth. It gets its name, readings, meanings in English, parts, radical, places of numbers and
-/// KanjiVG's rights.
+/// A copy of a character of the database. Carved, it is the same as carving::carve() makes it but for the
+/// small differences that carving::groove_of() names. It gets its name, readings, meanings in English, parts,
+/// radical, places of numbers and KanjiVG's rights.
 [[nodiscard]] OwnCharacter copy_of(const kanji::Character& character, const carving::Brush& brush = {});
 /// The strokes alone.
 [[nodiscard]] std::vector<OwnStroke> own_strokes(const std::vector<kanji::StrokeLine>& lines,

@@ -19,8 +19,8 @@ using GroovePoint = carving::GroovePoint;
 struct OwnStroke {
   std::vector<GroovePoint> points;  ///< at least one
   kanji::StrokeEnding ending = kanji::StrokeEnding::stop;
-  std::optional<geometry::GlyphPoint>
-      number_position = {};  ///< left end of the baseline of the stroke's number; none: placed by the program
+  std::optional<geometry::GlyphPoint> number_position =
+      {};  ///< left end of the baseline of the stroke's number; none: placed by the program
   friend bool operator==(const OwnStroke&, const OwnStroke&) = default;
 };
 

@@ -46,8 +46,10 @@ struct GridBox {
 /// All samples of a map.
 [[nodiscard]] GridBox whole_map(int size);
 
-/// The groove that carve() cuts for a stroke, with few points: carved, it differs by less than 0.01 of the
-/// tablet's depth.
+/// The groove that carve() cuts for a stroke, with few points. Carved, it is the same but for 0.02 of the
+/// tablet's depth; at sharp bends of the line single samples differ by more.
+/// @source measured on 512 x 512 samples of 6,599 characters: the largest difference is 0.011 in the median
+/// character, 0.017 in 90 % and 0.041 in 99 % of them, and 0.17 in the worst (at the hook of 髴).
 /// @param brush  as fitted() gives it: its width is not narrowed here. `endings` counts; the cross section
 /// does not.
 [[nodiscard]] Groove groove_of(const kanji::StrokeLine& stroke, const Brush& brush);
@@ -61,8 +63,9 @@ struct SmoothPoint {
   double arc_length = 0;    ///< from the start, along the smooth line [glyph units]
 };
 
-/// The centre line as it is cut, so finely that straight segments between its points look smooth. All points
-/// of the groove are on it. For drawing, for finding what is near a click, and for checks.
+/// The centre line as it is cut, so finely that straight segments between its points look smooth: neighbours
+/// are at most one glyph unit apart. All points of the groove are on it. For drawing, for finding what is
+/// near a click, and for checks.
 /// @param groove  at least one point, all of them finite.
 [[nodiscard]] std::vector<SmoothPoint> smooth_line(const Groove& groove);
 

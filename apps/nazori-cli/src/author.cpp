@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "author.h"
+
+#include "verbs.h"
+
+namespace nazori::cli {
+
+void add_author(CLI::App& app, Action& chosen) {
+  CLI::App* verb = app.add_subcommand("author", "Check and convert characters that you made yourself");
+  verb->require_subcommand(1);
+  verb->footer(
+      "Examples:\n  nazori-cli author convert 永 --output 永.nazori\n  nazori-cli author check 永.nazori");
+  add_author_check(*verb, chosen);
+  add_author_convert(*verb, chosen);
+}
+
+}  // namespace nazori::cli
