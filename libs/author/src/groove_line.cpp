@@ -136,12 +136,7 @@ OwnStroke groove_along(const GridLine& line, const InkMap& map) {
     const GridPoint along =
         unit(line[std::min(i + 2, line.size() - 1)] - line[i - std::min<std::size_t>(i, 2)]);
     const GridPoint across{-along.y, along.x};
-    const double inside = std::max(0.0, static_cast<double>(between(map.distance.distance, line[i])) - 0.5);
-    if (along == GridPoint{} || i == 0 || i + 1 == line.size()) {
-      // At an end the disc that touches the rim.
-      widths[i] = inside;
-      if (along == GridPoint{}) continue;
-    }
+    if (along == GridPoint{}) continue;
     const auto left = to_rim(map, line[i], across, 60);
     const auto right = to_rim(map, line[i], across * -1, 60);
     if (!left || !right) continue;
