@@ -67,7 +67,8 @@ struct HookedEnd {
 
 /// Where a hook turns back sharply, its groove and that of its stroke are one ink for a while. Their middle
 /// lines then meet before the end of the stroke.
-std::optional<HookedEnd> hooked_end(const std::vector<Stub>& stubs, const Arms& all, const Junction& junction) {
+std::optional<HookedEnd> hooked_end(const std::vector<Stub>& stubs, const Arms& all,
+                                    const Junction& junction) {
   constexpr double kLongestHook = 14 * kInkPerUnit;
   constexpr double kLongestRest = 2.0;  // radii
   if (stubs.size() != 3) return {};

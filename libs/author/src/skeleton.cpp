@@ -43,8 +43,7 @@ std::vector<std::uint8_t> middle_of(const DistanceMap& map) {
     if (map.distance[i] <= 0 || map.distance[k] <= 0) return;
     const double dx = map.nearest[i].x - map.nearest[k].x;
     const double dy = map.nearest[i].y - map.nearest[k].y;
-    const double chord =
-        kApart + kChord * static_cast<double>(std::min(map.distance[i], map.distance[k]));
+    const double chord = kApart + kChord * static_cast<double>(std::min(map.distance[i], map.distance[k]));
     if (dx * dx + dy * dy < chord * chord) return;
     // The one that is closer to the line of equal distances from both feet.
     const auto off = [&](int px, int py) {
