@@ -46,6 +46,7 @@ void add_verbs(CLI::App& app, Action& chosen) {
   nazori::cli::add_study(app, chosen);
   nazori::cli::add_worksheet(app, chosen);
   nazori::cli::add_grade_sheet(app, chosen);
+  nazori::cli::add_author(app, chosen);
   nazori::cli::add_completion(app, chosen);
   nazori::cli::add_manual(app, chosen);
   nazori::cli::add_help(app, chosen);

@@ -32,6 +32,7 @@ void add_study(CLI::App& app, Action& chosen);
 void add_database(CLI::App& app, Action& chosen);
 void add_worksheet(CLI::App& app, Action& chosen);
 void add_grade_sheet(CLI::App& app, Action& chosen);
+void add_author(CLI::App& app, Action& chosen);
 void add_completion(CLI::App& app, Action& chosen);
 void add_manual(CLI::App& app, Action& chosen);
 void add_help(CLI::App& app, Action& chosen);

@@ -54,6 +54,7 @@ enum class Icon : std::uint8_t {
   dry,
   sheet,
   redo,
+  chisel,
 };
 Q_ENUM_NS(Icon)
 
