@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include "nazori/geometry/needed_points.h"
@@ -15,7 +17,8 @@ namespace {
 
 using geometry::GlyphPoint;
 
-constexpr double kTolerance = 0.1;
+constexpr double kTolerance = 0.08;
+constexpr double kBow = 0.12;
 constexpr double kCorner = 40 * 3.14159265358979323846 / 180;
 
 std::string path_data(const geometry::BezierPath& path) {
@@ -35,18 +38,40 @@ geometry::BezierPath path_of(const OwnStroke& stroke) {
   for (const std::size_t i : geometry::needed_points<GlyphPoint>(all, kTolerance)) points.push_back(all[i]);
   geometry::BezierPath path{points.front(), {}};
   if (points.size() == 1) path.pieces.push_back({points[0], points[0], points[0]});
-  // The direction at a point is that from the one before to the one after; a corner has two, those of its
-  // chords. The third of a chord is the length of its control arms.
-  const auto arm = [&](std::size_t i, std::size_t other) {
-    const GlyphPoint chord = points[other] - points[i];
-    if (i == 0 || i + 1 == points.size()) return chord * (1.0 / 3);
+  const auto unit = [](GlyphPoint v) {
+    const double l = geometry::length(v);
+    return l > 0 ? v * (1 / l) : GlyphPoint{};
+  };
+  // The direction at a point is that of the circle through it and its neighbours; ends and corners have none.
+  std::vector<std::optional<GlyphPoint>> direction(points.size());
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const GlyphPoint before = points[i] - points[i - 1];
     const GlyphPoint after = points[i + 1] - points[i];
-    if (geometry::angle_between(before, after) > kCorner) return chord * (1.0 / 3);
-    const GlyphPoint way = points[i + 1] - points[i - 1];
-    const double length = geometry::length(way);
-    if (length <= 0) return chord * (1.0 / 3);
-    return way * ((other > i ? 1 : -1) * geometry::length(chord) / (3 * length));
+    if (geometry::angle_between(before, after) > kCorner) continue;
+    direction[i] = unit(unit(before) * geometry::length(after) + unit(after) * geometry::length(before));
+  }
+  const auto arm = [&](std::size_t i, std::size_t other) {
+    const GlyphPoint chord = points[other] - points[i];
+    const GlyphPoint along = unit(chord);
+    const double forward = other > i ? 1 : -1;
+    GlyphPoint way = along;
+    if (direction[i]) {
+      way = *direction[i] * forward;
+    } else if (direction[other]) {
+      // As at the other end of the chord, on the other side of it.
+      const GlyphPoint mirrored = *direction[other] * forward;
+      way = along * (2 * geometry::dot(mirrored, along)) - mirrored;
+    }
+    // Between two points the line is as good as straight, so the curve may not bow out by more.
+    const double length = geometry::length(chord);
+    const double most = 2 * std::atan(2 * kBow / std::max(length, 1e-9));
+    const double turn = geometry::angle_between(along, way);
+    if (turn > most) {
+      const GlyphPoint side = unit(way - along * geometry::dot(way, along));
+      way = along * std::cos(most) + side * std::sin(most);
+    }
+    // That long, the curve is nearly the arc of a circle.
+    return way * (length * 2 / (3 * (1 + std::max(0.0, geometry::dot(way, along)))));
   };
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     path.pieces.push_back({points[i] + arm(i, i + 1), points[i + 1] + arm(i + 1, i), points[i + 1]});
