@@ -14,6 +14,7 @@ namespace nazori::cli {
 /// The commands of `nazori-cli author`, as in verbs.h.
 void add_author_check(CLI::App& author, Action& chosen);
 void add_author_convert(CLI::App& author, Action& chosen);
+void add_author_trace(CLI::App& author, Action& chosen);
 
 /// A file with a character that somebody made, and its text where it is an SVG.
 struct AuthorFile {

@@ -66,6 +66,51 @@ std::optional<double> to_rim(const InkMap& map, GridPoint from, GridPoint across
   return {};
 }
 
+/// Widths where they are not known, because other ink is there: between known ones straight from one to the
+/// other; at an end those that narrow towards it go on to narrow. Without any known one nothing changes.
+void fill_gaps(std::vector<std::optional<double>>& widths, const GridLine& line) {
+  constexpr double kLook = 16;  // samples over which the slope is taken
+  std::vector<double> at(line.size());
+  for (std::size_t i = 1; i < line.size(); ++i) at[i] = at[i - 1] + geometry::distance(line[i - 1], line[i]);
+  std::vector<std::size_t> known;
+  for (std::size_t i = 0; i < widths.size(); ++i)
+    if (widths[i]) known.push_back(i);
+  if (known.empty()) return;
+  for (std::size_t n = 0; n + 1 < known.size(); ++n)
+    for (std::size_t k = known[n] + 1; k < known[n + 1]; ++k) {
+      const double t = (at[k] - at[known[n]]) / std::max(at[known[n + 1]] - at[known[n]], 1e-9);
+      widths[k] = *widths[known[n]] * (1 - t) + *widths[known[n + 1]] * t;
+    }
+  const auto go_on = [&](std::size_t first, const auto& each_unknown, const auto& in_reach) {
+    double slope = 0;
+    for (const std::size_t i : known)
+      if (in_reach(i)) slope = std::max(slope, (*widths[i] - *widths[first]) / std::abs(at[i] - at[first]));
+    const double start = *widths[first];
+    each_unknown(
+        [&](std::size_t k) { widths[k] = std::max(0.0, start - slope * std::abs(at[k] - at[first])); });
+  };
+  const std::size_t last = known.back();
+  const std::size_t first = known.front();
+  const auto reaches = [&](std::size_t from) {
+    return [&, from](std::size_t i) {
+      const double d = std::abs(at[i] - at[from]);
+      return d > kLook / 2 && d <= kLook;
+    };
+  };
+  go_on(
+      last,
+      [&](const auto& use) {
+        for (std::size_t k = last + 1; k < line.size(); ++k) use(k);
+      },
+      reaches(last));
+  go_on(
+      first,
+      [&](const auto& use) {
+        for (std::size_t k = 0; k < first; ++k) use(k);
+      },
+      reaches(first));
+}
+
 }  // namespace
 
 GridLine smoothed(const GridLine& line, double spacing) {
@@ -98,9 +143,9 @@ std::vector<Corner> corners_of(const GridLine& line, double reach) {
 }
 
 void centre_ends(GridLine& line, const InkMap& map, bool front, bool back) {
-  constexpr double kThinsOut = 0.8;   // of the width farther inside
-  constexpr double kOtherInk = 1.6;   // of the width, ahead
-  constexpr double kUneven = 1.3;     // one side to the other
+  constexpr double kThinsOut = 0.8;  // of the width farther inside
+  constexpr double kOtherInk = 1.6;  // of the width, ahead
+  constexpr double kUneven = 1.3;    // one side to the other
   if (line.size() < 3) return;
   for (const bool at_front : {true, false}) {
     if (!(at_front ? front : back)) continue;
@@ -108,7 +153,8 @@ void centre_ends(GridLine& line, const InkMap& map, bool front, bool back) {
     const double at_end = static_cast<double>(between(map.distance.distance, line.back()));
     // Beside the line a radius inside, where the round end has begun nowhere.
     std::size_t inside = line.size() - 1;
-    while (inside > 0 && geometry::distance(line[inside], line.back()) < std::max(3.0, 0.8 * at_end)) --inside;
+    while (inside > 0 && geometry::distance(line[inside], line.back()) < std::max(3.0, 0.8 * at_end))
+      --inside;
     const GridPoint out = unit(line.back() - line[inside]);
     const GridPoint side{-out.y, out.x};
     const auto left = to_rim(map, line[inside], side, 3 * at_end + 4);
@@ -136,12 +182,7 @@ OwnStroke groove_along(const GridLine& line, const InkMap& map) {
     const GridPoint along =
         unit(line[std::min(i + 2, line.size() - 1)] - line[i - std::min<std::size_t>(i, 2)]);
     const GridPoint across{-along.y, along.x};
-    const double inside = std::max(0.0, static_cast<double>(between(map.distance.distance, line[i])) - 0.5);
-    if (along == GridPoint{} || i == 0 || i + 1 == line.size()) {
-      // At an end the disc that touches the rim.
-      widths[i] = inside;
-      if (along == GridPoint{}) continue;
-    }
+    if (along == GridPoint{}) continue;
     const auto left = to_rim(map, line[i], across, 60);
     const auto right = to_rim(map, line[i], across * -1, 60);
     if (!left || !right) continue;
@@ -157,20 +198,10 @@ OwnStroke groove_along(const GridLine& line, const InkMap& map) {
     for (auto& w : widths)
       if (w && *w > 1.7 * usual) w.reset();
   }
-  // Gaps are crossings: straight from one side to the other.
-  std::optional<std::size_t> last;
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    if (!widths[i]) continue;
-    const std::size_t from = last ? *last + 1 : 0;
-    for (std::size_t k = from; k < i; ++k) {
-      const double t = last ? static_cast<double>(k - *last) / static_cast<double>(i - *last) : 1.0;
-      widths[k] = (last ? *widths[*last] : *widths[i]) * (1 - t) + *widths[i] * t;
-    }
-    last = i;
-  }
+  fill_gaps(widths, line);
   for (std::size_t i = 0; i < line.size(); ++i) {
-    double half = widths[i] ? *widths[i] : last ? *widths[*last] : 0.0;
-    if (!last) half = std::max(0.5, static_cast<double>(between(map.distance.distance, line[i])) - 0.5);
+    const double half =
+        widths[i] ? *widths[i] : static_cast<double>(between(map.distance.distance, line[i])) - 0.5;
     constexpr float kLeastDepth = 0.01F;
     const float depth = std::clamp(between(map.depth, line[i]), kLeastDepth, 1.0F);
     stroke.points.push_back({geometry::grid_to_glyph(line[i], kInkSide), std::max(half, 0.1) / kInkPerUnit,
@@ -180,30 +211,42 @@ OwnStroke groove_along(const GridLine& line, const InkMap& map) {
 }
 
 void lengthen_tips(OwnStroke& stroke) {
-  constexpr double kMost = 3.0;        // glyph units
-  constexpr double kLook = 6.0;        // glyph units over which the slope is taken
-  constexpr double kLeastSlope = 0.1;  // of the half width
+  // Glyph units. Nearest the tip the groove is too shallow for its width to be seen.
+  constexpr double kMost = 3.0;
+  constexpr double kNear = 1.0;
+  constexpr double kLook = 2.0;
+  constexpr double kFar = 5.0;
+  constexpr double kLeastSlope = 0.1;
+  constexpr double kNarrower = 0.7;
   for (const bool at_front : {true, false}) {
     const std::size_t count = stroke.points.size();
-    if (count < 4) return;
     const auto at = [&](std::size_t i) -> const GroovePoint& {
       return at_front ? stroke.points[i] : stroke.points[count - 1 - i];
     };
     double length = 0;
-    std::size_t far = 0;
-    while (far + 1 < count && length < kLook) {
-      length += geometry::distance(at(far).at, at(far + 1).at);
-      ++far;
+    std::optional<std::size_t> near;
+    double near_length = 0;
+    double slope = 0;
+    double widest = 0;
+    for (std::size_t i = 1; i < count && length < kFar; ++i) {
+      length += geometry::distance(at(i - 1).at, at(i).at);
+      if (!near && length >= kNear) {
+        near = i;
+        near_length = length;
+      }
+      widest = std::max(widest, at(i).half_width);
+      // Beside a sharp hook the width is that of both parts, so the steepest slope counts.
+      if (near && length - near_length >= kLook)
+        slope = std::max(slope, (at(i).half_width - at(*near).half_width) / (length - near_length));
     }
-    if (length <= 0) continue;
-    const double end = at(0).half_width;
-    const double slope = (at(far).half_width - end) / length;
-    if (slope < kLeastSlope || end > 0.45 * at(far).half_width) continue;
-    const geometry::GlyphPoint way = at(0).at - at(far / 2).at;
+    if (!near) continue;
+    const double width = at(*near).half_width;
+    if (slope < kLeastSlope || width > kNarrower * widest) continue;
+    const double beyond = std::clamp(width / slope - near_length, 0.0, kMost);
+    const geometry::GlyphPoint way = at(0).at - at(*near).at;
     const double way_length = geometry::length(way);
-    if (way_length <= 0) continue;
-    const GroovePoint tip{at(0).at + way * (std::min(kMost, end / slope) / way_length), 0.1 / kInkPerUnit,
-                          at(0).depth};
+    if (way_length <= 0 || beyond <= 0) continue;
+    const GroovePoint tip{at(0).at + way * (beyond / way_length), 0.1 / kInkPerUnit, at(0).depth};
     stroke.points.insert(at_front ? stroke.points.begin() : stroke.points.end(), tip);
   }
 }

@@ -157,6 +157,16 @@ double reach_beyond(const Branch& branch, const Node& node, const DistanceMap& d
   return geometry::distance(end, node.at) + radius_at(distance, end) - node.radius;
 }
 
+/// The distance from the rim that four fifths of the ink do not exceed.
+float usual_distance(const InkMap& map) {
+  std::vector<float> all;
+  for (const float d : map.distance.distance)
+    if (d > 0) all.push_back(d);
+  const auto at = all.begin() + static_cast<std::ptrdiff_t>(all.size() * 4 / 5);
+  std::nth_element(all.begin(), at, all.end());
+  return *at;
+}
+
 std::vector<std::uint8_t> without_width(std::vector<std::uint8_t> lines, const DistanceMap& distance) {
   const std::vector<std::uint8_t> none(lines.size());
   return thinned(std::move(lines), distance.side, distance.distance, none, true);
@@ -197,7 +207,12 @@ InkGraph graph_of(std::vector<std::uint8_t> skeleton, const DistanceMap& distanc
 
 InkGraph middle_lines(const InkMap& map) {
   const int side = map.distance.side;
-  std::vector<std::uint8_t> lines = thinned(map.ink, side, map.distance.distance, middle_of(map.distance));
+  // Lines of a pixel or two have no middle that differs from their rim.
+  constexpr float kThin = 2.5F;
+  const bool is_thin = usual_distance(map) < kThin;
+  std::vector<std::uint8_t> lines =
+      thinned(map.ink, side, map.distance.distance,
+              is_thin ? std::vector<std::uint8_t>(map.ink.size()) : middle_of(map.distance), is_thin);
   const InkGraph first =
       without_whiskers(graph_of(without_width(std::move(lines), map.distance), map.distance), map);
   // Once more between the ends alone, along the deepest of a groove, which is the centre line even beside a

@@ -59,9 +59,34 @@ double bend(const Stub& a, const Stub& b) {
   return 0.5 * turn + 0.5 * offset;
 }
 
+/// The short arm of a junction into the round end of a stroke whose hook is another arm.
+struct HookedEnd {
+  std::size_t rest = 0;  ///< of the stubs
+  std::size_t hook = 0;
+};
+
+/// Where a hook turns back sharply, its groove and that of its stroke are one ink for a while. Their middle
+/// lines then meet before the end of the stroke.
+std::optional<HookedEnd> hooked_end(const std::vector<Stub>& stubs, const Arms& all,
+                                    const Junction& junction) {
+  constexpr double kLongestHook = 14 * kInkPerUnit;
+  constexpr double kLongestRest = 2.0;  // radii
+  if (stubs.size() != 3) return {};
+  const auto arm = [&](std::size_t k) -> const Arm& { return all.arms[stubs[k].end.arm]; };
+  const auto is_free = [&](std::size_t k) { return (stubs[k].end.at_front ? arm(k).to : arm(k).from) < 0; };
+  for (std::size_t rest = 0; rest < 3; ++rest)
+    for (std::size_t hook = 0; hook < 3; ++hook) {
+      if (hook == rest || !is_free(rest) || !is_free(hook)) continue;
+      if (arm(rest).thins_out || stubs[rest].length > kLongestRest * junction.radius) continue;
+      if (!arm(hook).thins_out || stubs[hook].length > kLongestHook) continue;
+      return HookedEnd{rest, hook};
+    }
+  return {};
+}
+
 }  // namespace
 
-Arms arms_of(const InkGraph& graph, double reach) {
+Arms arms_of(const InkGraph& graph, const InkMap& map, double reach) {
   std::vector<int> junction_of(graph.nodes.size());
   std::iota(junction_of.begin(), junction_of.end(), 0);
   const auto root = [&](int n) {
@@ -117,8 +142,16 @@ Arms arms_of(const InkGraph& graph, double reach) {
     const auto junction = [&](int node) {
       return node < 0 ? -1 : number[static_cast<std::size_t>(root(node))];
     };
-    out.arms.push_back(
-        {{b.points.begin() + first, b.points.begin() + last}, junction(b.from), junction(b.to), b.is_ring});
+    Arm arm{{b.points.begin() + first, b.points.begin() + last}, junction(b.from), junction(b.to), b.is_ring};
+    if (b.front_tip && b.front_tip->thins_out) arm.points.insert(arm.points.begin(), b.front_tip->at);
+    if (b.back_tip && b.back_tip->thins_out) arm.points.push_back(b.back_tip->at);
+    if ((b.from < 0) != (b.to < 0)) {
+      constexpr double kThin = 0.5;
+      const GridPoint end = b.from < 0 ? b.points.front() : b.points.back();
+      arm.thins_out = static_cast<double>(between(map.distance.distance, end)) <
+                      kThin * graph.nodes[static_cast<std::size_t>(std::max(b.from, b.to))].radius;
+    }
+    out.arms.push_back(std::move(arm));
   }
   return out;
 }
@@ -143,6 +176,16 @@ std::vector<Line> joined(const Arms& all) {
     };
     std::vector<Pair> pairs;
     const auto& own = stubs[j];
+    const auto hooked = hooked_end(own, all, all.junctions[j]);
+    if (hooked) {
+      const std::size_t body = 3 - hooked->rest - hooked->hook;
+      slot(next, own[body].end) = own[hooked->rest].end;
+      slot(next, own[hooked->rest].end) = own[body].end;
+      const End turn{own[hooked->rest].end.arm, !own[hooked->rest].end.at_front};
+      slot(next, turn) = own[hooked->hook].end;
+      slot(next, own[hooked->hook].end) = turn;
+      continue;
+    }
     for (std::size_t a = 0; a < own.size(); ++a)
       for (std::size_t b = a + 1; b < own.size(); ++b) {
         const double cost = bend(own[a], own[b]);

@@ -18,6 +18,7 @@ struct Arm {
   int from = -1;                            ///< junction at the front; -1: it ends freely
   int to = -1;                              ///< junction at the back
   bool is_ring = false;
+  bool thins_out = false;  ///< towards its free end
 };
 
 /// Where lines meet: a node, or some so close together that they are one crossing.
@@ -32,8 +33,8 @@ struct Arms {
 };
 
 /// Cuts the branches off beside their nodes.
-/// @param reach  kInkReach or kGrooveReach.
-[[nodiscard]] Arms arms_of(const InkGraph& graph, double reach);
+/// @param map  from which the graph was made. @param reach  kInkReach or kGrooveReach.
+[[nodiscard]] Arms arms_of(const InkGraph& graph, const InkMap& map, double reach);
 
 /// The lines of which the arms are parts: in a junction those go on in each other that bend least, and what
 /// remains ends there. In no order, from any end.

@@ -33,9 +33,9 @@ std::array<bool, 256> make_table() {
 
 std::vector<std::uint8_t> middle_of(const DistanceMap& map) {
   // The chord between the two feet, in radii: 1.55 is an angle of 102 degrees, so a square corner has no line
-  // into it. Feet of one smooth outline are a pixel or two apart.
+  // into it. The feet of neighbours on one smooth outline are a pixel apart.
   constexpr double kChord = 1.55;
-  constexpr double kLeast = 2.3;
+  constexpr double kApart = 1.2;
   std::vector<std::uint8_t> middle(map.distance.size());
   const auto compare = [&](int x, int y, int u, int v) {
     const std::size_t i = map.index(x, y);
@@ -43,8 +43,8 @@ std::vector<std::uint8_t> middle_of(const DistanceMap& map) {
     if (map.distance[i] <= 0 || map.distance[k] <= 0) return;
     const double dx = map.nearest[i].x - map.nearest[k].x;
     const double dy = map.nearest[i].y - map.nearest[k].y;
-    const double chord = kChord * static_cast<double>(std::min(map.distance[i], map.distance[k]));
-    if (dx * dx + dy * dy < std::max(kLeast * kLeast, chord * chord)) return;
+    const double chord = kApart + kChord * static_cast<double>(std::min(map.distance[i], map.distance[k]));
+    if (dx * dx + dy * dy < chord * chord) return;
     // The one that is closer to the line of equal distances from both feet.
     const auto off = [&](int px, int py) {
       const double a = std::hypot(px - map.nearest[i].x, py - map.nearest[i].y);

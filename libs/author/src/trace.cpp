@@ -18,7 +18,7 @@ namespace {
 
 base::Result<std::vector<OwnStroke>> strokes_of(const InkMap& map) {
   const InkGraph graph = divided_at_gaps(middle_lines(map), map);
-  const Arms arms = arms_of(graph, map.is_groove ? kGrooveReach : kInkReach);
+  const Arms arms = arms_of(graph, map, map.is_groove ? kGrooveReach : kInkReach);
   std::vector<GridLine> lines = divided(joined(arms), map);
   if (lines.size() > kMostTracedStrokes) {
     return base::fail(

@@ -17,15 +17,15 @@ namespace nazori::author::test {
 struct Shot {
   int width = 640;
   int height = 480;
-  double left = 90;        ///< place of the glyph box [pixels]
+  double left = 90;  ///< place of the glyph box [pixels]
   double top = 40;
-  double scale = 3.6;      ///< pixels per glyph unit
-  double turn_rad = 0;     ///< clockwise, around the middle of the glyph box
-  double paper = 235;      ///< brightness at the left edge
+  double scale = 3.6;        ///< pixels per glyph unit
+  double turn_rad = 0;       ///< clockwise, around the middle of the glyph box
+  double paper = 235;        ///< brightness at the left edge
   double paper_right = 235;  ///< and at the right edge
   double ink = 25;
-  double blur = 0.7;       ///< half the width of the soft edge [pixels]
-  double noise = 0;        ///< standard deviation of the brightness
+  double blur = 0.7;  ///< half the width of the soft edge [pixels]
+  double noise = 0;   ///< standard deviation of the brightness
 
   [[nodiscard]] geometry::GlyphPoint turned(geometry::GlyphPoint p) const {
     const double u = p.x - geometry::kGlyphSide / 2;
@@ -77,7 +77,8 @@ inline scan::Photo photographed(std::span<const OwnStroke> strokes, const Shot& 
     const double share = static_cast<double>(i % static_cast<std::size_t>(shot.width)) / shot.width;
     const double paper = shot.paper + (shot.paper_right - shot.paper) * share;
     const double dark = std::clamp(0.5 + inside[i] / (2 * shot.blur), 0.0, 1.0);
-    const double value = paper * (1 - dark * (1 - shot.ink / 255)) + (shot.noise > 0 ? shot.noise * normal() : 0);
+    const double value =
+        paper * (1 - dark * (1 - shot.ink / 255)) + (shot.noise > 0 ? shot.noise * normal() : 0);
     photo.grey.push_back(static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L)));
   }
   return photo;
