@@ -218,6 +218,15 @@ QString finding_words(const author::Finding& finding) {
       return Words::tr("The dictionary counts %1 strokes.").arg(QLocale().toString(finding.amount, 'f', 0));
     case FindingKind::licence_lost:
       return Words::tr("A copy of a character of KanjiVG must name KanjiVG's licence and authors.");
+    case FindingKind::svg_view_box:
+    case FindingKind::svg_size:
+    case FindingKind::svg_root_id:
+    case FindingKind::svg_style:
+    case FindingKind::svg_group_id:
+    case FindingKind::svg_stroke_id:
+    case FindingKind::svg_number_count:
+    case FindingKind::svg_number_order:
+      return Words::tr("The SVG is not as KanjiVG's tools expect it.");
     case FindingKind::no_licence:
       return Words::tr("No licence is named. Others will not know what they may do with it.");
   }
