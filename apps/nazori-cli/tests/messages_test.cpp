@@ -136,7 +136,7 @@ TEST(Messages, HelpListsAllVerbsUnderOneHeading) {
   for (const char* verb :
        {"info",  "search",    "carve",       "render",     "model",  "plot",      "demo",     "feel",
         "paint", "record",    "devices",     "database",   "grade",  "recognise", "practise", "speak",
-        "study", "worksheet", "grade-sheet", "completion", "manual", "help"})
+        "study", "worksheet", "grade-sheet", "author", "completion", "manual", "help"})
     EXPECT_NE(help.find(std::string("\n  ") + verb + " ", verbs), std::string::npos) << verb;
 }
 
@@ -159,6 +159,7 @@ TEST(Messages, QuietIsTakenByEveryVerb) {
                                                                                     {"model"},
                                                                                     {"worksheet"},
                                                                                     {"grade-sheet"},
+                                                                                    {"author", "trace"},
                                                                                     {"plot"},
                                                                                     {"demo"},
                                                                                     {"feel"},
