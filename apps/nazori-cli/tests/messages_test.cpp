@@ -161,6 +161,7 @@ TEST(Messages, QuietIsTakenByEveryVerb) {
                                                                                     {"grade-sheet"},
                                                                                     {"author", "check"},
                                                                                     {"author", "convert"},
+                                                                                    {"author", "trace"},
                                                                                     {"plot"},
                                                                                     {"demo"},
                                                                                     {"feel"},

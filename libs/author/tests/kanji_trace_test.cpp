@@ -17,6 +17,7 @@ struct Counts {
   int mean = 0;        ///< strokes whose mean distance is within 1/128 of the side
   int most_of_95 = 0;  ///< and those of which 95 % is
   int ending = 0;      ///< whose width says the ending
+  int tip = 0;         ///< whose last point is within 1/128 of the side
 };
 
 /// Every 230th character of kanji.db, carved at 512 x 512.
@@ -43,6 +44,7 @@ void add(Counts& counts, const kanji::StrokeLine& truth, const GlyphLine& found,
   const LineDistance d = distance_of(truth.points, found);
   counts.mean += d.mean <= kWithin ? 1 : 0;
   counts.most_of_95 += d.most_of_95 <= kWithin ? 1 : 0;
+  counts.tip += geometry::distance(truth.points.back(), found.back()) <= kWithin ? 1 : 0;
   const bool is_free = truth.ending == kanji::StrokeEnding::either;
   counts.ending += ending == (is_free ? kanji::StrokeEnding::stop : truth.ending) ? 1 : 0;
 }
@@ -63,6 +65,7 @@ TEST(CarvedKanjiTraced, AsThemselvesLieOnTheirLinesWithTheirEndings) {
     }
   });
   EXPECT_GT(share(counts.mean, counts), 0.99);
+  EXPECT_GT(share(counts.tip, counts), 0.5);
   EXPECT_GT(share(counts.most_of_95, counts), 0.96);
   EXPECT_GT(share(counts.ending, counts), 0.95);
 }
@@ -102,6 +105,23 @@ TEST(CarvedKanjiTraced, AsNothingKnownAreMostlyTheirStrokes) {
   EXPECT_GT(share(counts.mean, counts), 0.92);
   EXPECT_GT(share(counts.most_of_95, counts), 0.82);
   EXPECT_GT(share(counts.ending, counts), 0.92);
+}
+
+TEST(CarvedKanjiTraced, SweepsReachToTheirTips) {
+  int sweeps = 0;
+  int reached = 0;
+  each_character([&](const auto& strokes, const auto& map, unsigned) {
+    const auto found = trace_as(map, strokes);
+    ASSERT_TRUE(found);
+    for (std::size_t k = 0; k < strokes.size(); ++k) {
+      if (strokes[k].ending != kanji::StrokeEnding::taper) continue;
+      ++sweeps;
+      const GlyphPoint tip = (*found)[k].stroke.points.back().at;
+      reached += geometry::distance(tip, strokes[k].points.back()) <= kWithin ? 1 : 0;
+    }
+  });
+  ASSERT_GT(sweeps, 20);
+  EXPECT_GT(static_cast<double>(reached) / sweeps, 0.5);
 }
 
 }  // namespace

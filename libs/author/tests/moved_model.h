@@ -12,7 +12,9 @@ namespace nazori::author::test {
 /// A character as another hand writes it: turned by up to 3 degrees, sides up to a tenth longer or shorter,
 /// moved by up to 3 units, bent by waves of up to 1.5 units, and each stroke moved by up to 1 unit. For lines
 /// that were traced, so that their place must come from the ink.
-inline std::vector<kanji::StrokeLine> moved(std::vector<kanji::StrokeLine> strokes, unsigned seed) {
+/// @param wave  the most by which the waves bend it, instead of 1.5.
+inline std::vector<kanji::StrokeLine> moved(std::vector<kanji::StrokeLine> strokes, unsigned seed,
+                                            double wave = 1.5) {
   std::mt19937 random(seed);
   const auto value = [&random](double most) {
     return (static_cast<double>(random()) / 4294967295.0 * 2 - 1) * most;
@@ -22,8 +24,8 @@ inline std::vector<kanji::StrokeLine> moved(std::vector<kanji::StrokeLine> strok
   const double high = 1 + value(0.1);
   const double x = value(3);
   const double y = value(3);
-  const double wave_x = value(1.5);
-  const double wave_y = value(1.5);
+  const double wave_x = value(wave);
+  const double wave_y = value(wave);
   const double phase = value(3);
   constexpr double kMiddle = 54.5;
   for (kanji::StrokeLine& stroke : strokes) {

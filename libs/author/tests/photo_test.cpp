@@ -132,6 +132,25 @@ TEST(TracedPhotograph, OfAnotherHandHasTheLinesOfTheInkNotOfTheCharacter) {
   EXPECT_GT(to_model, 1.5);
 }
 
+TEST(TracedPhotograph, OfABentCharacterIsFoundWherePartsMovedApart) {
+  // Waves that move parts by more than the distance in which ink is looked for beside a line.
+  for (const std::string name : {"永", "書", "休"}) {
+    auto strokes = kanjivg(name);
+    auto bent = strokes;
+    for (kanji::StrokeLine& stroke : bent)
+      for (GlyphPoint& p : stroke.points)
+        p = p + GlyphPoint{6 * std::sin((p.y - 10) / 20), 6 * std::sin((p.x - 20) / 20)};
+    const Shot shot = shot_of(4, 0, 235, 2, 0.7);
+    const auto found = trace_as(photographed(inked(bent, name == "書" ? 1.6 : 3.0), shot), strokes);
+    ASSERT_TRUE(found);
+    std::vector<GlyphLine> lines;
+    for (const FittedStroke& s : *found) lines.push_back(line_of(s.stroke));
+    const auto truth = as_found(bent, shot, lines);
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      EXPECT_LT(distance_of(truth[k], lines[k]).mean, 1.0) << name << ", " << k + 1;
+  }
+}
+
 TEST(TracedPhotograph, OfAnUnknownCharacterHasItsStrokes) {
   for (const std::string name : {"永", "休", "口"}) {
     const auto strokes = kanjivg(name);

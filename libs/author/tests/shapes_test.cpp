@@ -9,6 +9,7 @@
 #include "nazori/author/trace.h"
 #include "nazori/carving/carve.h"
 #include "photographed.h"
+#include "stroke_guess.h"
 
 namespace nazori::author::test {
 namespace {
@@ -199,6 +200,40 @@ TEST(TracedGroove, ASweepThinsOutToItsEndAndAHookTurnsBack) {
   EXPECT_LT(distance_of(line_of(hook[0]), hooked).mean, 0.25);
 }
 
+TEST(TracedGroove, AShortStrokeOnOneSideDoesNotWidenABar) {
+  const auto found = traced({line({{12, 50}, {97, 50}}), line({{55, 50}, {55, 57}})}, even_brush(7));
+  ASSERT_FALSE(found.empty());
+  const auto bar = std::find_if(found.begin(), found.end(),
+                                [](const OwnStroke& s) { return std::abs(s.points.front().at.x - 12) < 1; });
+  ASSERT_NE(bar, found.end());
+  EXPECT_NEAR(bar->points.back().at.x, 97, 1);
+  for (const GroovePoint& p : bar->points) EXPECT_NEAR(p.half_width, 3.5, 0.5) << p.at.x;
+}
+
+TEST(PutInOrder, IsFromTheTopAndFromTheLeft) {
+  std::vector<OwnStroke> strokes{drawn({{60, 80}, {90, 80}}, 3), drawn({{70, 10}, {70, 40}}, 3),
+                                 drawn({{20, 80}, {50, 80}}, 3), drawn({{20, 12}, {20, 40}}, 3)};
+  put_in_order(strokes);
+  EXPECT_EQ(strokes[0].points.front().at, (GlyphPoint{20, 12}));
+  EXPECT_EQ(strokes[1].points.front().at, (GlyphPoint{70, 10}));
+  EXPECT_EQ(strokes[2].points.front().at, (GlyphPoint{20, 80}));
+  EXPECT_EQ(strokes[3].points.front().at, (GlyphPoint{60, 80}));
+}
+
+TEST(Direct, IsToTheRightAndDownAndTowardsTheThinEnd) {
+  const auto start = [](OwnStroke stroke) {
+    direct(stroke);
+    return stroke.points.front().at;
+  };
+  EXPECT_EQ(start(drawn({{90, 50}, {10, 50}}, 3)), (GlyphPoint{10, 50}));
+  EXPECT_EQ(start(drawn({{50, 90}, {50, 10}}, 3)), (GlyphPoint{50, 10}));
+  EXPECT_EQ(start(drawn({{20, 90}, {80, 10}}, 3)), (GlyphPoint{80, 10}));
+  EXPECT_EQ(start(drawn({{90, 40}, {10, 60}}, 3)), (GlyphPoint{10, 60}));
+  // A stroke to the upper right that thins out there.
+  EXPECT_EQ(start(drawn({{60, 20}, {20, 80}}, 1, 4)), (GlyphPoint{20, 80}));
+  EXPECT_EQ(start(drawn({{20, 80}, {60, 20}}, 4, 1)), (GlyphPoint{20, 80}));
+}
+
 TEST(TracedInk, OfABarIsItsLineInTheMiddleOfTheBoxWithAMargin) {
   const OwnStroke bar = drawn({{20, 40}, {90, 40}}, 5);
   for (const double scale : {1.7, 3.6, 8.0}) {
@@ -251,6 +286,15 @@ TEST(TracedInk, SquareEndsHaveNoWhiskers) {
   const OwnStroke& stroke = found->front();
   for (const GroovePoint& p : stroke.points) EXPECT_NEAR(p.at.y, 54.5, 0.3);
   EXPECT_NEAR(stroke.points.front().half_width, 20 * 93.0 / 480, 0.5);
+}
+
+TEST(TracedInk, BumpsOfTheRimAreNoStrokes) {
+  // Discs on the rim whose tops are 0.36 of the half width above it.
+  std::vector<OwnStroke> ink{drawn({{20, 50}, {90, 50}}, 5)};
+  for (const double x : {35.0, 52.0, 71.0}) ink.push_back(drawn({{x, x < 60 ? 45.3 : 54.7}}, 2.1));
+  const auto found = trace(photographed(ink, {}));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->size(), 1U);
 }
 
 }  // namespace

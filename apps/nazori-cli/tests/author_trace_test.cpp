@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace nazori::cli::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// 休 carved, as RAW or PNG.
+std::string carved_yasumu(const TemporaryFolder& folder, const std::string& name) {
+  EXPECT_EQ(nazori_cli({"carve", "休", "--size", "512", "--output", folder / name}).code, 0);
+  return folder / name;
+}
+
+TEST(AuthorTrace, AKnownCharacterComesBackWithItsStrokes) {
+  const TemporaryFolder folder;
+  const std::string map = carved_yasumu(folder, "a.raw");
+  const Outcome run = nazori_cli({"author", "trace", map, "--character", "休", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto answer = nlohmann::json::parse(run.out);
+  EXPECT_EQ(answer.at("character"), "休");
+  const auto& strokes = answer.at("strokes");
+  ASSERT_EQ(strokes.size(), 6U);
+  EXPECT_EQ(strokes[0].at("ending"), "taper");
+  EXPECT_EQ(strokes[0].at("ending_of_ink"), "taper");
+  EXPECT_GT(strokes[0].at("covered").get<double>(), 0.7);
+  EXPECT_LT(strokes[0].at("moved").get<double>(), 1);
+  // The first stroke falls from the upper right to the lower left.
+  const auto& points = strokes[0].at("points");
+  EXPECT_GT(points.front()[0], points.back()[0]);
+  EXPECT_LT(points.front()[1], points.back()[1]);
+  ASSERT_EQ(points.front().size(), 4U);
+}
+
+TEST(AuthorTrace, WithoutACharacterPrintsALineForEachStroke) {
+  const TemporaryFolder folder;
+  const Outcome run = nazori_cli({"author", "trace", carved_yasumu(folder, "a.png"), "--relief"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 6);
+  EXPECT_THAT(run.out, HasSubstr("taper"));
+  // The same picture in grey is also ink on paper.
+  EXPECT_EQ(nazori_cli({"author", "trace", folder / "a.png"}).code, 0);
+}
+
+TEST(AuthorTrace, WritesEachKindOfFile) {
+  const TemporaryFolder folder;
+  const std::string map = carved_yasumu(folder, "a.raw");
+  for (const std::string name : {"b.svg", "b.str", "b.raw", "b.png"}) {
+    const Outcome run =
+        nazori_cli({"author", "trace", map, "--character", "休", "--size", "128", "--output", folder / name});
+    ASSERT_EQ(run.code, 0) << name << run.err;
+    EXPECT_GT(std::filesystem::file_size(folder / name), 200U) << name;
+  }
+  EXPECT_EQ(std::filesystem::file_size(folder / "b.raw"), 128U * 128U);
+  const Outcome svg = nazori_cli({"author", "trace", map, "--output", "-"});
+  ASSERT_EQ(svg.code, 0) << svg.err;
+  EXPECT_THAT(svg.out, testing::StartsWith("<svg "));
+  EXPECT_THAT(svg.out, HasSubstr("id=\"s6\""));
+}
+
+TEST(AuthorTrace, WhatCannotBeTracedIsRefusedInOneLine) {
+  const TemporaryFolder folder;
+  write(folder / "text.png", "no picture");
+  write(folder / "flat.raw", std::string(128 * 128, '\xFF'));
+  const std::string map = carved_yasumu(folder, "a.raw");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{folder / "none.png"}, "none.png"},
+      {{folder / "text.png"}, "neither a PNG nor a JPEG"},
+      {{folder / "flat.raw"}, "flat.raw: the height map has no groove"},
+      {{map, "--character", "休永"}, "--character: is for one character (give one)"},
+      {{map, "--output", folder / "m.gif"}, "m.gif"},
+      {{map, "--output", map}, "a.raw"},
+      {{map, "--output", "-", "--json"}, "--json"},
+  };
+  for (const auto& [arguments, expected] : cases) {
+    std::vector<std::string> command{"author", "trace"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Outcome run = nazori_cli(command);
+    EXPECT_NE(run.code, 0) << expected;
+    EXPECT_THAT(run.err, HasSubstr(expected));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+}
+
+}  // namespace
+}  // namespace nazori::cli::test
