@@ -8,8 +8,6 @@
 #include "change.h"
 #include "hand_layer.h"
 #include "journal.h"
-#include "nazori/author/character_file.h"
-#include "nazori/base/file.h"
 
 namespace nazori::author {
 namespace {
@@ -87,33 +85,7 @@ base::Result<void> check_limits(const Change& change, const OwnCharacter& charac
   return validate(change.facts ? *change.facts : character.facts, strokes);
 }
 
-/// Whether a change that was read from a file can be done.
-bool fits(const Change& change, const OwnCharacter& character) {
-  if (change.strokes) {
-    const std::size_t strokes = character.strokes.size();
-    if (change.strokes->first > strokes || change.strokes->count > strokes - change.strokes->first)
-      return false;
-  }
-  if (change.patch) {
-    const Change::Patch& patch = *change.patch;
-    const int size = character.hand.is_untouched() ? patch.size : character.hand.size;
-    if (size < surface::HeightMap::kMinSize || size > surface::HeightMap::kMaxSize || patch.size != size ||
-        patch.box.is_empty() || !(carving::common(patch.box, carving::whole_map(size)) == patch.box))
-      return false;
-    const auto width = static_cast<std::size_t>(patch.box.right - patch.box.left);
-    if (patch.heights.size() != width * static_cast<std::size_t>(patch.box.bottom - patch.box.top))
-      return false;
-  }
-  return true;
-}
-
 }  // namespace
-
-std::filesystem::path journal_path(const std::filesystem::path& document) {
-  std::filesystem::path path = document;
-  path += ".journal";
-  return path;
-}
 
 CharacterEditor::CharacterEditor() = default;
 CharacterEditor::~CharacterEditor() = default;
@@ -448,139 +420,6 @@ CharacterEditor::Touched CharacterEditor::load_relief(const surface::HeightMap& 
 CharacterEditor::Touched CharacterEditor::clear_relief() {
   if (character_.hand.is_untouched()) return GridBox{};
   return apply({.kind = EditKind::clear_relief, .layer = HandLayer{}});
-}
-
-/// Brings back what a journal holds.
-class JournalReplay {
- public:
-  static base::Result<CharacterEditor> run(const std::filesystem::path& path, Recovery& recovery, int size,
-                                           const std::vector<std::uint8_t>* file) {
-    constexpr std::size_t kLargest = std::size_t{1} << 30;
-    const auto bytes = base::read_file(path, kLargest);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto records = read_journal(*bytes);
-    const auto start = records ? parse_base(records->front().content) : std::nullopt;
-    if (!start) return base::fail(Errc::parse, "is not a journal", path.string());
-    auto character = parse_character(start->document);
-    if (!character) return tl::unexpected(std::move(character).error());
-    const bool size_fits =
-        start->map_size >= surface::HeightMap::kMinSize && start->map_size <= surface::HeightMap::kMaxSize;
-    auto editor = CharacterEditor::create(*std::move(character), size_fits ? start->map_size : size);
-    if (!editor) return editor;
-    std::size_t end = records->front().end;
-    for (std::size_t i = 1; i < records->size() && replay((*records)[i], *editor); ++i) {
-      end = (*records)[i].end;
-      ++recovery.edits;
-    }
-    recovery.lost_bytes = bytes->size() - end;
-    recovery.is_cut = recovery.lost_bytes > 0;
-    if (file != nullptr) {
-      const bool is_same = start->is_of_file && *file == start->document;
-      const auto now = to_bytes(editor->character_);
-      const bool is_saved = now && *now == *file;
-      recovery.file_differs = !is_same && !is_saved;
-      if (is_saved) editor->saved_at_ = editor->past_.size();
-      if (!is_saved && !is_same) editor->saved_at_.reset();
-    } else if (!start->is_of_file) {
-      editor->saved_at_ = recovery.edits == 0 ? editor->saved_at_ : std::nullopt;
-    }
-    auto journal = Journal::go_on(path, end);
-    if (!journal) return tl::unexpected(std::move(journal).error());
-    editor->journal_ = *std::move(journal);
-    return editor;
-  }
-
- private:
-  /// @return false for a record that does not fit what is there.
-  static bool replay(const JournalRecord& record, CharacterEditor& editor) {
-    switch (record.kind) {
-      case RecordKind::base:
-        return false;
-      case RecordKind::undo:
-        if (editor.past_.empty()) return false;
-        (void)editor.undo();
-        return true;
-      case RecordKind::redo:
-        if (editor.future_.empty()) return false;
-        (void)editor.redo();
-        return true;
-      case RecordKind::edit:
-      case RecordKind::drag:
-        break;
-    }
-    auto change = parse_change(record.content);
-    if (!change || !fits(*change, editor.character_)) return false;
-    if (change->patch || change->layer) {
-      OwnCharacter trial;
-      trial.hand = editor.character_.hand;
-      Change copy{.kind = change->kind, .patch = change->patch, .layer = change->layer};
-      (void)exchange(copy, trial, editor.map_.size());
-      if (trial.hand.size > editor.map_.size() || !validate(trial)) return false;
-    }
-    return editor.apply(*std::move(change), record.kind == RecordKind::drag).has_value();
-  }
-};
-
-base::Result<CharacterEditor> CharacterEditor::open(const std::filesystem::path& path,
-                                                    std::optional<Recovery>& recovery, int size) {
-  const auto bytes = base::read_file(path, kLargestFile);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const std::filesystem::path beside = journal_path(path);
-  std::error_code ignored;
-  if (std::filesystem::exists(beside, ignored)) {
-    Recovery found;
-    auto editor = JournalReplay::run(beside, found, size, &*bytes);
-    if (editor) {
-      recovery = found;
-      return editor;
-    }
-    if (editor.error().code == Errc::parse || editor.error().code == Errc::schema) {
-      found.is_cut = true;
-      found.lost_bytes = static_cast<std::size_t>(std::filesystem::file_size(beside, ignored));
-      recovery = found;
-    } else {
-      return editor;
-    }
-  }
-  auto character = load_character(path);
-  if (!character) return tl::unexpected(std::move(character).error());
-  return create(*std::move(character), size);
-}
-
-base::Result<CharacterEditor> CharacterEditor::recover(const std::filesystem::path& journal,
-                                                       Recovery& recovery, int size) {
-  return JournalReplay::run(journal, recovery, size, nullptr);
-}
-
-base::Result<void> CharacterEditor::autosave_to(const std::filesystem::path& path) {
-  auto document = to_bytes(character_);
-  if (!document) return tl::unexpected(std::move(document).error());
-  auto journal = Journal::begin(path, {map_.size(), saved_at_ == past_.size(), *std::move(document)});
-  if (!journal) return tl::unexpected(std::move(journal).error());
-  journal_ = *std::move(journal);
-  return {};
-}
-
-std::optional<base::Error> CharacterEditor::journal_error() const {
-  return journal_ ? journal_->error() : std::nullopt;
-}
-
-base::Result<void> CharacterEditor::save(const std::filesystem::path& path) {
-  if (auto saved = save_character(character_, path); !saved) return saved;
-  saved_at_ = past_.size();
-  if (!journal_) return {};
-  const std::filesystem::path old = journal_->path();
-  if (auto begun = autosave_to(journal_path(path)); !begun) return begun;
-  std::error_code ignored;
-  if (old != journal_->path()) std::filesystem::remove(old, ignored);
-  return {};
-}
-
-void CharacterEditor::close_journal() {
-  if (!journal_) return;
-  std::error_code ignored;
-  std::filesystem::remove(journal_->path(), ignored);
-  journal_.reset();
 }
 
 }  // namespace nazori::author

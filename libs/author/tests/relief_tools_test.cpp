@@ -248,6 +248,8 @@ TEST(StampShapes, AreDifferentSymmetricAndInsideTheirSquare) {
     EXPECT_LT(lowest, 0.001F);
     for (const StampShape other : kStampShapes) EXPECT_EQ(stamp_of(other) == stamp, other == shape);
   }
+  const surface::HeightMap& square = stamp_of(StampShape::square);
+  for (int i = 0; i < 65; ++i) EXPECT_NEAR(square.at(32, i), square.at(32, 64 - i), 1e-5);
   // What tells them apart: the middle, above it, and the corner of the square.
   const auto deep = [](StampShape shape, int column, int row) {
     return stamp_of(shape).at(column, row) < 0.5F;

@@ -139,7 +139,8 @@ class CharacterEditor {
 
   /// Opens a document, with what its journal holds where a program was killed. The journal goes on.
   /// @param recovery  what was brought back; untouched where there was no journal.
-  /// @return the errors of load_character(); a journal that cannot be used at all is left out and counted.
+  /// @return the errors of load_character(); Errc::io for a journal that cannot be read or continued. One
+  /// that is damaged from its beginning is left out and counted.
   [[nodiscard]] static base::Result<CharacterEditor> open(const std::filesystem::path& path,
                                                           std::optional<Recovery>& recovery,
                                                           int size = kMapSize);
