@@ -47,12 +47,11 @@ Ridge ridge_of(const InkGraph& graph, const InkMap& map, double reach) {
     if (branch.is_ring) continue;
     const std::size_t last = line.size() - 1;
     const std::size_t look = std::min<std::size_t>(4, last);
-    const auto add = [&](const std::optional<TouchingTip>& tip, std::size_t i, std::size_t inside) {
-      ridge.ends.push_back({glyph(i), tip ? geometry::grid_to_glyph(tip->at, kInkSide) : glyph(i),
-                            unit(glyph(i) - glyph(inside)), tip.has_value()});
+    const auto add = [&](bool touches, std::size_t i, std::size_t inside) {
+      ridge.ends.push_back({glyph(i), unit(glyph(i) - glyph(inside)), touches});
     };
-    if (from == nullptr) add(branch.front_tip, 0, look);
-    if (to == nullptr) add(branch.back_tip, last, last - look);
+    if (from == nullptr) add(branch.front_tip.has_value(), 0, look);
+    if (to == nullptr) add(branch.back_tip.has_value(), last, last - look);
   }
   return ridge;
 }

@@ -17,7 +17,6 @@ struct RidgePoint {
 /// Where a middle line ends freely.
 struct RidgeEnd {
   geometry::GlyphPoint at;
-  geometry::GlyphPoint tip;  ///< of a line that thins out
   geometry::GlyphPoint out;  ///< unit direction in which the line ends
   bool touches = false;      ///< another stroke, which may hide the true end
 };

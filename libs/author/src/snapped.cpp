@@ -213,8 +213,7 @@ void take_free_ends(EndGoals& goals, const std::vector<GlyphLine>& lines, const 
     auto& goal = goals[p.line_end.line][p.line_end.is_start ? 0 : 1];
     if (goal || taken[p.ink_end]) continue;
     taken[p.ink_end] = true;
-    const RidgeEnd& end = ridge.ends[p.ink_end];
-    goal = Goal{!p.line_end.is_start && thins_out[p.line_end.line] ? end.tip : end.at};
+    goal = Goal{ridge.ends[p.ink_end].at};
   }
 }
 

@@ -65,7 +65,7 @@ TEST(CarvedKanjiTraced, AsThemselvesLieOnTheirLinesWithTheirEndings) {
     }
   });
   EXPECT_GT(share(counts.mean, counts), 0.99);
-  EXPECT_GT(share(counts.tip, counts), 0.5);
+  EXPECT_GT(share(counts.tip, counts), 0.85);
   EXPECT_GT(share(counts.most_of_95, counts), 0.96);
   EXPECT_GT(share(counts.ending, counts), 0.95);
 }
@@ -121,7 +121,7 @@ TEST(CarvedKanjiTraced, SweepsReachToTheirTips) {
     }
   });
   ASSERT_GT(sweeps, 20);
-  EXPECT_GT(static_cast<double>(reached) / sweeps, 0.5);
+  EXPECT_GT(static_cast<double>(reached) / sweeps, 0.72);
 }
 
 }  // namespace

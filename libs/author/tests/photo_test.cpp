@@ -7,6 +7,7 @@
 #include "characters.h"
 #include "line_comparison.h"
 #include "moved_model.h"
+#include "nazori/author/font_picture.h"
 #include "nazori/author/trace.h"
 #include "photographed.h"
 
@@ -166,6 +167,29 @@ TEST(TracedPhotograph, OfAnUnknownCharacterHasItsStrokes) {
       ASSERT_GE(match[k], 0) << name << ", " << k + 1;
       EXPECT_LT(distance_of(truth[k], lines[static_cast<std::size_t>(match[k])]).mean, 1.6)
           << name << ", " << k + 1;
+    }
+  }
+}
+
+TEST(TracedFont, HasTheStrokesOfTheCharacterInOrder) {
+  struct Case {
+    char32_t character;
+    const char* name;
+  };
+  for (const Case& c : {Case{U'永', "永"}, Case{U'休', "休"}, Case{U'書', "書"}, Case{U'口', "口"}}) {
+    const auto picture = font_picture(c.character, "Klee One", 512);
+    ASSERT_TRUE(picture) << base::to_line(picture.error());
+    const auto strokes = kanjivg(c.name);
+    const auto found = trace_as(*picture, strokes);
+    ASSERT_TRUE(found) << c.name;
+    for (std::size_t k = 0; k < strokes.size(); ++k) {
+      const FittedStroke& fit = (*found)[k];
+      EXPECT_GT(fit.covered, 0.5) << c.name << ", " << k + 1;
+      EXPECT_LT(fit.moved, 5) << c.name << ", " << k + 1;
+      // The direction is that of the character.
+      const GlyphLine line = line_of(fit.stroke);
+      const GlyphPoint way = strokes[k].points.back() - strokes[k].points.front();
+      EXPECT_GT(geometry::dot(line.back() - line.front(), way), 0) << c.name << ", " << k + 1;
     }
   }
 }
