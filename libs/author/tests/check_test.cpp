@@ -194,6 +194,8 @@ TEST(Check, AWallIsThickerThanTheTip) {
   EXPECT_EQ(only(character).stroke, 0U);
   EXPECT_EQ(only(character).second, 2U);
   EXPECT_NEAR(only(character).amount, 4 - 6 * 0.5412, 0.02);
+  EXPECT_NEAR(only(character).at->y, 52, 0.1);
+  EXPECT_GT(only(character).at->x, 19);
   EXPECT_EQ(kinds(character, {.tip = 0.7}), std::vector<Kind>{});
   for (GroovePoint& p : character.strokes[2].points) p.at.y = 54.5;
   EXPECT_EQ(kinds(character), std::vector<Kind>{});

@@ -93,6 +93,12 @@ TEST_F(ReliefTools, SmoothingTakesTheMeanAroundASample) {
   EXPECT_FLOAT_EQ(map.at(130, 110), 0.5F);
 }
 
+TEST_F(ReliefTools, SmoothingTakesRowsAsItTakesColumns) {
+  character_.hand = layer_with(kSide, {0, 110, kSide, kSide}, -0.5F);
+  const auto map = after(ReliefTool::smooth, {.width = 16, .depth = 1}, line({20, 55}, {90, 55}));
+  EXPECT_NEAR(map.at(110, 110), 1 - 0.5 * 5 / 9, 1e-5);
+}
+
 TEST_F(ReliefTools, SmoothingALevelTabletChangesNothing) {
   character_.hand = layer_with(kSide, {0, 0, kSide, kSide}, -0.5F);
   const auto hand = character_.hand;
@@ -248,8 +254,9 @@ TEST(StampShapes, AreDifferentSymmetricAndInsideTheirSquare) {
     EXPECT_LT(lowest, 0.001F);
     for (const StampShape other : kStampShapes) EXPECT_EQ(stamp_of(other) == stamp, other == shape);
   }
-  const surface::HeightMap& square = stamp_of(StampShape::square);
-  for (int i = 0; i < 65; ++i) EXPECT_NEAR(square.at(32, i), square.at(32, 64 - i), 1e-5);
+  for (const StampShape shape :
+       {StampShape::dot, StampShape::ring, StampShape::bar, StampShape::cross, StampShape::square})
+    for (int i = 0; i < 65; ++i) EXPECT_NEAR(stamp_of(shape).at(32, i), stamp_of(shape).at(32, 64 - i), 1e-5);
   // What tells them apart: the middle, above it, and the corner of the square.
   const auto deep = [](StampShape shape, int column, int row) {
     return stamp_of(shape).at(column, row) < 0.5F;

@@ -221,6 +221,14 @@ TEST(NumberPlaces, ASingleStrokeHasItsNumberAtTheLeftOfItsStart) {
   EXPECT_NEAR((box.top + box.bottom) / 2, 50 - 5 * std::sin(angle), 1e-9);
 }
 
+TEST(NumberPlaces, ANumberMayReachTheEdgeOfThePicture) {
+  // As above, 0.58 units from the left edge.
+  const auto places = number_places(std::vector{even_stroke({{7.5, 50}, {7.5, 100}})});
+  EXPECT_NEAR(places[0].x, 7.5 - 5 * std::cos(22.5 * 3.14159265358979323846 / 180) - 2.3, 1e-9);
+  const auto lower = number_places(std::vector{even_stroke({{6.5, 50}, {6.5, 100}})});
+  EXPECT_GE(lower[0].x, 0);
+}
+
 TEST(NumberPlaces, ANumberStandsBesideTheGroovesWhereThatIsNear) {
   const std::vector<OwnStroke> strokes{even_stroke({{50, 50}, {50, 100}}),
                                        even_stroke({{20, 46}, {48, 46}}, 4)};
