@@ -276,7 +276,6 @@ TEST(TracedInk, AWedgeHasTheWidthThatItHasEverywhere) {
 }
 
 TEST(TracedInk, SquareEndsHaveNoWhiskers) {
-  Shot shot;
   scan::Photo photo{600, 300, std::vector<std::uint8_t>(600UL * 300, 240)};
   for (int y = 120; y < 160; ++y)
     for (int x = 60; x < 540; ++x) photo.grey[static_cast<std::size_t>(y * 600 + x)] = 20;
