@@ -14,6 +14,7 @@
 #include "author.h"
 #include "characters.h"
 #include "json_answers.h"
+#include "nazori/author/stroke_edits.h"
 #include "nazori/base/file.h"
 #include "nazori/exchange/characters.h"
 #include "nazori/scan/picture.h"
@@ -139,7 +140,7 @@ int run(Console& console, const AuthorTraceSettings& s) {
   if (!found) return console.refuse(found.error());
   if (place) {
     std::vector<author::OwnStroke> strokes;
-    for (const author::FittedStroke& fit : *found) strokes.push_back(fit.stroke);
+    for (const author::FittedStroke& fit : *found) strokes.push_back(author::thinned(fit.stroke));
     if (auto saved = write(s, std::move(strokes), *place); !saved) return console.refuse(saved.error());
     if (auto sent = place->deliver(console); !sent) return console.refuse(sent.error());
     if (place->is_console()) return kDone;

@@ -159,4 +159,9 @@ OwnStroke scaled(const OwnStroke& stroke, double width, double depth) {
   return out;
 }
 
+OwnStroke thinned(OwnStroke stroke, double tolerance) {
+  stroke.points = simplified(stroke.points, tolerance);
+  return stroke;
+}
+
 }  // namespace nazori::author

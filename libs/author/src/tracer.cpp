@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "nazori/author/font_picture.h"
+#include "nazori/author/stroke_edits.h"
 #include "nazori/author/trace.h"
 #include "nazori/scan/picture.h"
 
@@ -29,14 +30,14 @@ base::Result<Traced> trace_request(const TraceRequest& request) {
   if (request.known.empty()) {
     auto strokes = trace(*picture);
     if (!strokes) return failed(strokes.error());
-    found.strokes = *std::move(strokes);
+    for (OwnStroke& stroke : *strokes) found.strokes.push_back(thinned(std::move(stroke)));
     return found;
   }
   auto fitted = trace_as(*picture, request.known);
   if (!fitted) return failed(fitted.error());
   for (std::size_t i = 0; i < fitted->size(); ++i) {
     if ((*fitted)[i].covered < kSureShare) found.unsure.push_back(i);
-    found.strokes.push_back(std::move((*fitted)[i].stroke));
+    found.strokes.push_back(thinned(std::move((*fitted)[i].stroke)));
   }
   return found;
 }

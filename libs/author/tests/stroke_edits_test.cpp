@@ -261,5 +261,20 @@ TEST(NumberPlaces, WithoutRoomEachStillHasAPlace) {
   EXPECT_EQ(places.back(), (GlyphPoint{42, 48}));
 }
 
+TEST(Thinned, KeepsOnlyPointsThatLineWidthOrDepthNeed) {
+  OwnStroke stroke;
+  for (int i = 0; i <= 40; ++i) stroke.points.push_back({{20.0 + i, 50}, 3, 1});
+  stroke.points[10].at.y = 50.1;  // within the tolerance
+  stroke.points[20].half_width = 4;
+  stroke.points[30].depth = 0.5;
+  stroke.ending = kanji::StrokeEnding::taper;
+  const OwnStroke thin = thinned(stroke);
+  std::vector<double> kept;
+  for (const GroovePoint& point : thin.points) kept.push_back(point.at.x);
+  EXPECT_EQ(kept, (std::vector<double>{20, 39, 40, 41, 49, 50, 51, 60}));
+  EXPECT_EQ(thin.ending, kanji::StrokeEnding::taper);
+  EXPECT_EQ(thinned(thin), thin);
+}
+
 }  // namespace
 }  // namespace nazori::author

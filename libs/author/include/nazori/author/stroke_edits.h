@@ -82,6 +82,10 @@ struct SnappedPoint {
 /// The stroke with all half widths and depths scaled, limited to the ranges of GroovePoint.
 [[nodiscard]] OwnStroke scaled(const OwnStroke& stroke, double width, double depth);
 
+/// The stroke with only those points that its line, width and depth need. @param tolerance  how far the
+/// straight segments between them may be off [glyph units]; a tenth of the depth counts as one unit.
+[[nodiscard]] OwnStroke thinned(OwnStroke stroke, double tolerance = 0.15);
+
 /// The box of a stroke's number: a digit is 4.6 wide and 6 high, as KanjiVG prints it at 8 units.
 struct NumberBox {
   double left = 0;
