@@ -95,6 +95,7 @@ Json document_of(const AuthorTraceSettings& s, const std::vector<author::FittedS
     strokes.push_back(std::move(stroke));
   }
   Json document = Json::object();
+  document["version"] = 1;
   document["picture"] = s.picture;
   if (known) document["character"] = s.character;
   document["strokes"] = std::move(strokes);

@@ -51,7 +51,7 @@ TEST(AuthorTrace, WithoutACharacterPrintsALineForEachStroke) {
 TEST(AuthorTrace, WritesEachKindOfFile) {
   const TemporaryFolder folder;
   const std::string map = carved_yasumu(folder, "a.raw");
-  for (const std::string name : {"b.svg", "b.str", "b.raw", "b.png"}) {
+  for (const std::string name : {"b.svg", "b.nazori", "b.str", "b.raw", "b.png"}) {
     const Outcome run =
         nazori_cli({"author", "trace", map, "--character", "休", "--size", "128", "--output", folder / name});
     ASSERT_EQ(run.code, 0) << name << run.err;

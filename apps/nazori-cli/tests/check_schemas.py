@@ -278,6 +278,11 @@ class Schemas(unittest.TestCase):
         (found,) = self.answer("author#check", "author", "check", self.write("b.svg", svg), code=1)
         self.assertEqual([one["kind"] for one in found["findings"]], ["licence_lost", "svg_view_box"])
 
+        relief = self.path("a.raw")
+        self.answer("author#convert", "author", "convert", "二", "--size", "256", "--output", relief)
+        self.assertEqual(len(self.answer("author#trace", "author", "trace", relief)["strokes"]), 2)
+        self.answer("author#trace", "author", "trace", relief, "--character", "二")
+
     def test_sheets_read_back(self):
         pdf, photo = self.path("s.pdf"), self.path("s.png")
         self.run_verb("worksheet", "一", "--copies", "0", "--output", pdf)
