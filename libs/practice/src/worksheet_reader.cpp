@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 /// What the other thread keeps: the database, and what it knows of the shapes of characters.
 struct WorksheetReader::Bench {
-  explicit Bench(fs::path database) : database_file(std::move(database)) {}
+  explicit Bench(fs::path file) : database_file(std::move(file)) {}
 
   base::Result<std::shared_ptr<const WorksheetsRead>> read(const fs::path& path) {
     auto photo = scan::load_photo(path);
