@@ -347,7 +347,9 @@ TEST_F(WorkbenchTest, AStampIsPressedWhereItIsClicked) {
   bench_.set_settings(held);
   click({54.5, 90});
   EXPECT_THAT(edits_, ElementsAre(std::pair(EditKind::stamp, EditWay::made)));
-  EXPECT_LT(bench_.editor().map().at(64, 105), 0.2F);
+  // A square is an outline, 8 of 12 units wide.
+  EXPECT_LT(bench_.editor().map().at(68, 105), 0.3F);
+  EXPECT_EQ(bench_.editor().map().at(64, 105), 1.0F);
   EXPECT_EQ(bench_.editor().map().at(64, 85), 1.0F);
 }
 

@@ -11,6 +11,7 @@
 #include "nazori/practice/worksheet_maker.h"
 #include "nazori/studio/print/photo_view.h"
 #include "nazori/studio/print/sheet_words.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {

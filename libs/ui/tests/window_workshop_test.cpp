@@ -207,10 +207,10 @@ TEST_F(WorkshopWindow, ACheckSaysWhatItFindsAndAClickShowsIt) {
 TEST_F(WorkshopWindow, UnsavedWorkIsAskedAboutBeforeItIsReplaced) {
   drag({20, 40}, {90, 40});
   answer_with(QStringLiteral("Go back"));
-  press(Qt::Key_N, Qt::ControlModifier);
+  action("workshop_new")->trigger();
   EXPECT_EQ(character().strokes.size(), 1U);
   answer_with(QStringLiteral("Do not save"));
-  press(Qt::Key_N, Qt::ControlModifier);
+  action("workshop_new")->trigger();
   EXPECT_TRUE(character().strokes.empty());
 }
 
