@@ -64,8 +64,8 @@ TEST(SheetWords, ASheetIsToldByWhatItsCellsAre) {
   EXPECT_EQ(sheet_words(sheet),
             QStringLiteral("Practice sheet, page 2: 4 cells, 2 legible, 1 not legible, 1 empty."));
   sheet.mark.layout = print::Layout::quiz;
-  sheet.cells.resize(1);
-  EXPECT_EQ(sheet_words(sheet), QStringLiteral("Quiz, page 2: 1 cell, 1 legible, 0 not legible, 0 empty."));
+  sheet.cells.resize(2);
+  EXPECT_EQ(sheet_words(sheet), QStringLiteral("Quiz, page 2: 2 cells, 2 legible, 0 not legible, 0 empty."));
 }
 
 WindowParts* the_parts = nullptr;

@@ -902,18 +902,6 @@
         <translation>筆で書いた紙はまだ保存されていません。</translation>
     </message>
     <message>
-        <source>Save…</source>
-        <translation>保存…</translation>
-    </message>
-    <message>
-        <source>Do not save</source>
-        <translation>保存しない</translation>
-    </message>
-    <message>
-        <source>Go back</source>
-        <translation>戻る</translation>
-    </message>
-    <message>
         <source>&amp;Brush</source>
         <translation>筆(&amp;B)</translation>
     </message>
@@ -7759,6 +7747,21 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::UnsavedBox</name>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>保存しない</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>戻る</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::WatchView</name>
     <message>
         <source>%1 of %2 · %3×</source>
@@ -8568,18 +8571,6 @@ Columns and rows:</source>
         <translation>工房の文字を保存していません。</translation>
     </message>
     <message>
-        <source>Save…</source>
-        <translation>保存…</translation>
-    </message>
-    <message>
-        <source>Do not save</source>
-        <translation>保存しない</translation>
-    </message>
-    <message>
-        <source>Go back</source>
-        <translation>戻る</translation>
-    </message>
-    <message>
         <source>Could not open %1: %2.</source>
         <translation>%1 を開けません：%2。</translation>
     </message>
@@ -9130,6 +9121,10 @@ Columns and rows:</source>
     <message>
         <source>No licence is named. Others will not know what they may do with it.</source>
         <translation>ライセンスがありません。ほかの人がどう使ってよいか分かりません。</translation>
+    </message>
+    <message>
+        <source>The SVG is not as KanjiVG&apos;s tools expect it.</source>
+        <translation>SVG が KanjiVG の道具の求める形になっていません。</translation>
     </message>
 </context>
 <context>

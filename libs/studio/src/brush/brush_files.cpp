@@ -3,13 +3,12 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
 #include <utility>
 
 #include "nazori/studio/brush/brush_actions.h"
 #include "nazori/studio/brush/brush_page.h"
 #include "nazori/studio/brush/brush_words.h"
+#include "nazori/studio/parts/unsaved_box.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
@@ -163,18 +162,10 @@ void BrushPage::write(const QString& path) {
 
 bool BrushPage::may_close(bool quits) {
   if (!writing_ || writing_->state().is_saved || writing_->state().strokes == 0) return true;
-  QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),
-                  tr("The sheet with your brush writing is not saved."), QMessageBox::NoButton,
-                  &parts().window());
-  box.setObjectName(QStringLiteral("unsaved_sheet_box"));
-  auto* keep = box.addButton(tr("Save…"), QMessageBox::AcceptRole);
-  auto* discard = box.addButton(tr("Do not save"), QMessageBox::DestructiveRole);
-  auto* stay = box.addButton(tr("Go back"), QMessageBox::RejectRole);
-  box.setDefaultButton(keep);
-  box.setEscapeButton(stay);
-  box.exec();
-  if (box.clickedButton() == discard) return true;
-  if (box.clickedButton() == keep) {
+  const Unsaved choice = ask_unsaved(
+      "unsaved_sheet_box", tr("The sheet with your brush writing is not saved."), &parts().window());
+  if (choice == Unsaved::discard) return true;
+  if (choice == Unsaved::save) {
     // The window closes when the file is written. To open again it must be asked again.
     closes_when_saved_ = quits;
     ask_and_save();

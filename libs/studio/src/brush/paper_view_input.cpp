@@ -8,12 +8,6 @@
 #include "nazori/studio/brush/paper_view.h"
 
 namespace nazori::ui {
-namespace {
-
-constexpr int kPenGone_ms = 500;  ///< the palm leaves the paper this long after the pen
-
-}  // namespace
-
 void PaperView::write(QPointF at, bool down, std::uint64_t event_ms, const calligraphy::HolderTilt& tilt,
                       std::optional<double> pressure, double twist_rad) {
   const bool was_down = std::exchange(down_, down);
@@ -48,7 +42,7 @@ void PaperView::mouseReleaseEvent(QMouseEvent* event) {
 
 void PaperView::tabletEvent(QTabletEvent* event) {
   event->accept();
-  since_pen_.start();
+  finger_.note_pen();
   // Qt's left button is the tip. Buttons on the barrel do nothing here.
   const bool is_tip = event->button() == Qt::LeftButton;
   const bool is_eraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
@@ -73,25 +67,14 @@ void PaperView::tabletEvent(QTabletEvent* event) {
   write(event->position(), down, event->timestamp(), tilt, pressure, left_hand_ ? turned : -turned);
 }
 
-void PaperView::touch(QTouchEvent& event) {
-  const bool pen_is_near = since_pen_.isValid() && since_pen_.elapsed() < kPenGone_ms;
-  const auto& points = event.points();
-  int fingers = 0;
-  for (const auto& point : points) fingers += point.state() != QEventPoint::Released ? 1 : 0;
-  if (pen_is_near || event.type() == QEvent::TouchCancel || points.isEmpty() || fingers > 1) {
-    // A second finger, or the palm beside a pen, does not write.
-    if (finger_ && down_) {
-      down_ = false;
-      emit pen_lost();
-    }
-    finger_ = false;
-    return;
-  }
-  const QPointF at = points.front().position();
-  if (event.type() == QEvent::TouchBegin) finger_ = place_.rect.contains(at);
-  if (!finger_) return;
-  write(at, fingers == 1, event.timestamp(), calligraphy::assumed_tilt(left_hand_));
-  if (fingers == 0) finger_ = false;
+void PaperView::touch(const QTouchEvent& event) {
+  const auto move = finger_.take(
+      event, [this](QPointF at) { return place_.rect.contains(at); },
+      [this] {
+        down_ = false;
+        emit pen_lost();
+      });
+  if (move) write(move->at, move->down, event.timestamp(), calligraphy::assumed_tilt(left_hand_));
 }
 
 bool PaperView::event(QEvent* event) {

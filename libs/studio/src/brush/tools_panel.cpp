@@ -15,15 +15,13 @@
 
 #include "nazori/studio/brush/brush_actions.h"
 #include "nazori/studio/brush/brush_words.h"
-#include "nazori/widgets/controls/flow_layout.h"
+#include "nazori/studio/parts/panel_parts.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/look/palette.h"
 
 namespace nazori::ui {
 namespace {
 
-constexpr int kMargin = 12;
-constexpr int kGap = 6;
 constexpr int kWidth_em = 19;
 
 QString text_of(std::string_view name) {
@@ -89,22 +87,7 @@ BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
   setAccessibleName(tr("Brush, paper and model"));
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
-  auto* column = new QVBoxLayout(content_);
-  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-  column->setSpacing(kGap);
-  const auto form = [column] {
-    auto* made = new QFormLayout;
-    made->setVerticalSpacing(kGap);
-    made->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    made->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    column->addLayout(made);
-    return made;
-  };
-  const auto buttons = [&](const QList<QAction*>& which) {
-    auto* row = new FlowLayout(kGap, kGap);
-    for (auto* action : which) row->addWidget(action_button(action, action->iconText(), content_));
-    column->addLayout(row);
-  };
+  auto* column = make_panel_column(content_);
 
   advice_heading_ = heading(tr("Advice (not a mark)"), content_);
   advice_words_ = sentence_label("brush_advice_words", content_);
@@ -117,8 +100,8 @@ BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
   column->addWidget(gauge_);
   brush_words_ = text_label("brush_words", content_, "muted");
   column->addWidget(brush_words_);
-  buttons({actions.dip_in_ink, actions.dip_in_water, actions.wipe});
-  auto* brush_form = form();
+  add_buttons(column, {actions.dip_in_ink, actions.dip_in_water, actions.wipe}, content_);
+  auto* brush_form = add_form(column);
   ink_ = add_box("brush_ink_box", tr("Ink"), brush_form);
   for (const auto ink : calligraphy::kInks) ink_->addItem(ink_name(ink), text_of(ink));
   size_ = add_box("brush_size_box", tr("Size"), brush_form);
@@ -130,21 +113,21 @@ BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
   for (auto* action : {actions.guess_pressure, actions.left_hand, actions.show_brush})
     column->addWidget(box_for(action, content_));
 
-  column->addSpacing(kGap);
+  column->addSpacing(kPanelGap);
   column->addWidget(heading(tr("Paper"), content_));
   paper_words_ = text_label("paper_words", content_, "muted");
   column->addWidget(paper_words_);
-  auto* paper_form = form();
+  auto* paper_form = add_form(column);
   paper_ = add_box("brush_paper_box", tr("Paper"), paper_form);
   for (const auto paper : paint::paper_names()) paper_->addItem(paper_name(paper), text_of(paper));
   ruling_ = add_box("brush_ruling_box", tr("Ruling"), paper_form);
   for (const int count : calligraphy::kRulings) ruling_->addItem(ruling_name(count), count);
 
-  column->addSpacing(kGap);
+  column->addSpacing(kPanelGap);
   column->addWidget(heading(tr("Model"), content_));
   model_words_ = text_label("model_words", content_, "muted");
   column->addWidget(model_words_);
-  auto* model_form = form();
+  auto* model_form = add_form(column);
   place_ = add_box("brush_model_box", tr("Place"), model_form);
   place_->addItem(tr("None"), static_cast<int>(ModelPlace::none));
   place_->addItem(tr("Beneath"), static_cast<int>(ModelPlace::beneath));

@@ -34,7 +34,7 @@ QRgb colour_at(const surface::HeightMap& map, int column, int row) {
   const float below = map.at(column, std::min(row + 1, last));
   // A tablet is a tenth as deep as it is wide, and has map.size() samples a side.
   const float steepness = 0.1F * static_cast<float>(map.size());
-  const float light = std::clamp((here - right + here - below) * steepness * -0.45F, -0.6F, 0.6F);
+  const float light = std::clamp((here - right + here - below) * steepness * -0.16F, -0.45F, 0.35F);
   const float shade = (0.62F + 0.38F * here) * (1.0F + light);
   const auto part = [shade](int of) {
     return static_cast<int>(std::clamp(static_cast<float>(of) * shade, 0.0F, 255.0F));

@@ -13,8 +13,7 @@
 namespace nazori::ui {
 namespace {
 
-constexpr int kPenGone_ms = 500;  ///< the palm leaves the tablet this long after the pen
-constexpr double kKeyStep = 1;    ///< of an arrow key [glyph units]
+constexpr double kKeyStep = 1;  ///< of an arrow key [glyph units]
 constexpr double kFineStep = 0.2;
 constexpr double kWheelZoom = 1.2;  ///< of one notch
 
@@ -59,7 +58,7 @@ void CharacterCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void CharacterCanvas::tabletEvent(QTabletEvent* event) {
   event->accept();
-  since_pen_.start();
+  finger_.note_pen();
   // Qt's left button is the tip. Buttons on the barrel do nothing here.
   const bool is_tip = event->button() == Qt::LeftButton;
   bool down = down_;
@@ -71,22 +70,14 @@ void CharacterCanvas::tabletEvent(QTabletEvent* event) {
   send(event->position(), down, event->timestamp(), pressure);
 }
 
-void CharacterCanvas::touch(QTouchEvent& event) {
-  const bool pen_is_near = since_pen_.isValid() && since_pen_.elapsed() < kPenGone_ms;
-  const auto& points = event.points();
-  int fingers = 0;
-  for (const auto& point : points) fingers += point.state() != QEventPoint::Released ? 1 : 0;
-  if (pen_is_near || event.type() == QEvent::TouchCancel || points.isEmpty() || fingers > 1) {
-    // A second finger, or the palm beside a pen, does not draw.
-    if (finger_ && std::exchange(down_, false)) emit pen_lost();
-    finger_ = false;
-    return;
-  }
-  const QPointF at = points.front().position();
-  if (event.type() == QEvent::TouchBegin) finger_ = place_.contains(at);
-  if (!finger_) return;
-  send(at, fingers == 1, event.timestamp());
-  if (fingers == 0) finger_ = false;
+void CharacterCanvas::touch(const QTouchEvent& event) {
+  const auto move = finger_.take(
+      event, [this](QPointF at) { return place_.contains(at); },
+      [this] {
+        down_ = false;
+        emit pen_lost();
+      });
+  if (move) send(move->at, move->down, event.timestamp());
 }
 
 bool CharacterCanvas::event(QEvent* event) {

@@ -3,13 +3,12 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
 #include <algorithm>
 #include <utility>
 
 #include "nazori/author/character_file.h"
 #include "nazori/base/file.h"
+#include "nazori/studio/parts/unsaved_box.h"
 #include "nazori/studio/workshop/trace_dialog.h"
 #include "nazori/studio/workshop/workshop_actions.h"
 #include "nazori/studio/workshop/workshop_page.h"
@@ -79,6 +78,7 @@ void WorkshopPage::begin(author::OwnCharacter character, const QString& sentence
   bench_->take(*std::move(editor));
   clear_check();
   keep_journal();
+  emit parts().focus_tablet();
   parts().announce(Feedback::good, sentence);
 }
 
@@ -89,21 +89,13 @@ bool WorkshopPage::may_close(bool /*quits*/) {
     bench_->close_journal();
     return true;
   }
-  QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),
-                  tr("The character in the workshop is not saved."), QMessageBox::NoButton,
-                  &parts().window());
-  box.setObjectName(QStringLiteral("unsaved_character_box"));
-  auto* keep = box.addButton(tr("Save…"), QMessageBox::AcceptRole);
-  auto* discard = box.addButton(tr("Do not save"), QMessageBox::DestructiveRole);
-  auto* stay = box.addButton(tr("Go back"), QMessageBox::RejectRole);
-  box.setDefaultButton(keep);
-  box.setEscapeButton(stay);
-  box.exec();
-  if (box.clickedButton() == keep) {
+  const Unsaved choice = ask_unsaved("unsaved_character_box",
+                                     tr("The character in the workshop is not saved."), &parts().window());
+  if (choice == Unsaved::save) {
     ask_and_save();
     return bench_->editor().state().is_saved;
   }
-  if (box.clickedButton() != discard) return false;
+  if (choice == Unsaved::stay) return false;
   bench_->close_journal();
   return true;
 }

@@ -16,17 +16,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nazori/studio/parts/panel_parts.h"
 #include "nazori/studio/workshop/workshop_actions.h"
 #include "nazori/studio/workshop/workshop_words.h"
-#include "nazori/widgets/controls/flow_layout.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
 
-constexpr int kMargin = 12;
-constexpr int kGap = 6;
 constexpr int kWidth_em = 19;
 constexpr int kLongestText = 200;
 
@@ -45,6 +43,7 @@ QString joined_texts(const std::vector<std::string>& texts) { return joined(text
 void set_text(QLineEdit* field, const QString& text) {
   if (field->hasFocus() || field->text() == text) return;
   field->setText(text);
+  field->setCursorPosition(0);
 }
 
 }  // namespace
@@ -55,25 +54,10 @@ WorkshopPanel::WorkshopPanel(const WorkshopActions& actions, QWidget* parent)
   setAccessibleName(tr("Strokes and details"));
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
-  auto* column = new QVBoxLayout(content_);
-  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-  column->setSpacing(kGap);
-  const auto form = [column] {
-    auto* made = new QFormLayout;
-    made->setVerticalSpacing(kGap);
-    made->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    made->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    column->addLayout(made);
-    return made;
-  };
-  const auto buttons = [&](const QList<QAction*>& which) {
-    auto* row = new FlowLayout(kGap, kGap);
-    for (auto* action : which) row->addWidget(action_button(action, action->iconText(), content_));
-    column->addLayout(row);
-  };
+  auto* column = make_panel_column(content_);
 
   column->addWidget(heading(tr("Tool"), content_));
-  tool_form_ = form();
+  tool_form_ = add_form(column);
   width_ = named(new QDoubleSpinBox(content_), "workshop_width", tr("Width of the tool"));
   width_->setRange(author::kThinnestTool, author::kWidestTool);
   width_->setDecimals(1);
@@ -92,7 +76,7 @@ WorkshopPanel::WorkshopPanel(const WorkshopActions& actions, QWidget* parent)
   tool_form_->addRow(tr("Ending"), ending_);
   tool_form_->addRow(tr("Stamp"), stamp_);
 
-  column->addSpacing(kGap);
+  column->addSpacing(kPanelGap);
   column->addWidget(heading(tr("Strokes"), content_));
   selection_ = text_label("workshop_selection", content_, "muted");
   column->addWidget(selection_);
@@ -100,11 +84,12 @@ WorkshopPanel::WorkshopPanel(const WorkshopActions& actions, QWidget* parent)
   strokes_->setDragDropMode(QAbstractItemView::InternalMove);
   strokes_->setMinimumHeight(QFontInfo(font()).pixelSize() * 9);
   column->addWidget(strokes_, 2);
-  buttons({actions.earlier, actions.later, actions.reverse, actions.ending, actions.remove});
+  add_buttons(column, {actions.earlier, actions.later, actions.reverse, actions.ending, actions.remove},
+              content_);
 
-  column->addSpacing(kGap);
+  column->addSpacing(kPanelGap);
   column->addWidget(heading(tr("Details"), content_));
-  auto* details = form();
+  auto* details = add_form(column);
   const auto field = [&](const char* name, const QString& label, const QString& hint) {
     auto* made = named(new QLineEdit(content_), name, label);
     made->setMaxLength(kLongestText);
@@ -121,7 +106,7 @@ WorkshopPanel::WorkshopPanel(const WorkshopActions& actions, QWidget* parent)
   source_ = text_label("workshop_source", content_, "muted");
   column->addWidget(source_);
 
-  column->addSpacing(kGap);
+  column->addSpacing(kPanelGap);
   column->addWidget(heading(tr("Check"), content_));
   findings_words_ = sentence_label("workshop_findings_words", content_);
   column->addWidget(findings_words_);

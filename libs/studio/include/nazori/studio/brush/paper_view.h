@@ -12,6 +12,7 @@
 #include "nazori/calligraphy/brush_writing.h"
 #include "nazori/calligraphy/ruling.h"
 #include "nazori/studio/brush/brush_cursor.h"
+#include "nazori/studio/parts/one_finger.h"
 
 namespace nazori::ui {
 
@@ -65,7 +66,7 @@ class PaperView final : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  void touch(QTouchEvent& event);
+  void touch(const QTouchEvent& event);
   void lay_out();
   void draw_scaled(const QRect& pixels);
   void draw_guides();
@@ -91,8 +92,8 @@ class PaperView final : public QWidget {
   bool left_hand_ = false;
   bool shows_brush_ = true;
   bool down_ = false;
-  bool finger_ = false;
-  QElapsedTimer clock_, since_pen_;
+  OneFinger finger_;
+  QElapsedTimer clock_;
 };
 
 }  // namespace nazori::ui

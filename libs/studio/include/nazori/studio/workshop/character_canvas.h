@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "nazori/author/workbench.h"
+#include "nazori/studio/parts/one_finger.h"
 
 namespace nazori::ui {
 
@@ -63,7 +64,7 @@ class CharacterCanvas final : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  void touch(QTouchEvent& event);
+  void touch(const QTouchEvent& event);
   void send(QPointF at, bool down, std::uint64_t event_ms, std::optional<double> pressure = {});
   void lay_out();
   void paint_strokes(QPainter& painter) const;
@@ -80,8 +81,8 @@ class CharacterCanvas final : public QWidget {
   std::optional<QPointF> panned_from_;
   bool shows_strokes_ = true;
   bool down_ = false;
-  bool finger_ = false;
-  QElapsedTimer clock_, since_pen_;
+  OneFinger finger_;
+  QElapsedTimer clock_;
 };
 
 }  // namespace nazori::ui
