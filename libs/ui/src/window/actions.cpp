@@ -53,7 +53,7 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
   check_sheets =
       make("check_sheets", tr("&Check worksheets…"),
            tr("Read printed worksheets back from photographs: what is legible, and what needs care"),
-           "Ctrl+Alt+W");
+           "Ctrl+Alt+K");
   record = make("record", tr("&Record pen motion"), tr("Save every position and force of the pen to a file"),
                 "Ctrl+Shift+R", true);
   quit = make("quit", tr("&Quit"), tr("Close Nazori"), "Q Ctrl+Q");
