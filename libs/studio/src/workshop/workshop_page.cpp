@@ -20,9 +20,6 @@
 namespace nazori::ui {
 namespace {
 
-constexpr double kWidthStep = 1.1;
-constexpr double kDepthStep = 1.1;
-
 author::CharacterEditor empty_editor() {
   auto made = author::CharacterEditor::create({});
   Q_ASSERT(made);
