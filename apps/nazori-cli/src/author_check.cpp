@@ -134,9 +134,10 @@ std::optional<kanji::DictionaryEntry> entry_of(const std::optional<kanji::KanjiD
 int run(Console& console, const AuthorCheckSettings& s) {
   std::optional<kanji::KanjiDatabase> database;
   auto opened = open_database(s.database);
-  if (opened) database = *std::move(opened);
   // Without a dictionary everything but the count of strokes can be checked.
-  if (!opened && (!s.database.empty() || opened.error().code != base::Errc::not_found))
+  if (opened)
+    database = *std::move(opened);
+  else if (!s.database.empty() || opened.error().code != base::Errc::not_found)
     return console.refuse(opened.error());
   Json answers = Json::array();
   std::string text;
