@@ -97,7 +97,7 @@ void Workbench::move_pen(const geometry::WrittenPoint<geometry::GlyphFrame>& pen
     drag(pen.at);
   } else if (uses_movement()) {
     movement_.push_back(pen);
-    changed();
+    pen_moved();
   }
   if (!down) end();
 }
@@ -106,7 +106,7 @@ void Workbench::begin(const geometry::WrittenPoint<geometry::GlyphFrame>& pen) {
   cursor_ = in_box(pen.at);
   if (uses_movement()) {
     movement_ = {pen};
-    changed();
+    pen_moved();
   } else {
     click(pen.at);
   }
@@ -261,7 +261,7 @@ void Workbench::move_by_key(GlyphPoint by) {
   }
   cursor_ = in_box(cursor_ + by);
   if (down_ && uses_movement()) movement_.push_back({cursor_});
-  changed();
+  pen_moved();
 }
 
 void Workbench::press_at_cursor(double time_s) {

@@ -131,6 +131,8 @@ void WorkshopPage::connect_edits() {
   subscribe(bench_->relief_changed, this,
             [this](const carving::GridBox& box) { canvas_->refresh_relief(box); });
   subscribe(bench_->changed, this, [this] { show_bench(); });
+  // While a line is drawn nothing but the line is painted again.
+  subscribe(bench_->pen_moved, this, [this] { canvas_->update(); });
   subscribe(bench_->edited, this, [this](author::EditKind kind, author::EditWay way) {
     clear_check();
     parts().respond(Feedback::hint, edit_words(kind, way));

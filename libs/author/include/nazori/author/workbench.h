@@ -141,8 +141,10 @@ class Workbench {
 
   /// Samples of the editor's map have changed.
   base::Signal<const carving::GridBox&> relief_changed;
-  /// Strokes, what is chosen, what is placed, the cursor or the state have changed.
+  /// Strokes, what is chosen, what is placed or the state have changed.
   base::Signal<> changed;
+  /// Only the movement under way or the cursor has changed.
+  base::Signal<> pen_moved;
   /// An edit was made, undone or redone. EditKind::none: there was nothing to undo or redo.
   base::Signal<EditKind, EditWay> edited;
   base::Signal<const base::Error&> refused;
