@@ -15,6 +15,7 @@ namespace nazori::cli {
 void add_author_check(CLI::App& author, Action& chosen);
 void add_author_convert(CLI::App& author, Action& chosen);
 void add_author_trace(CLI::App& author, Action& chosen);
+void add_author_keep(CLI::App& author, Action& chosen);
 
 /// A file with a character that somebody made, and its text where it is an SVG.
 struct AuthorFile {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "nazori/author/collection.h"
+
 namespace nazori::cli {
 namespace {
 
@@ -15,10 +17,11 @@ std::string joined(std::span<const CharacterName> names) {
 }  // namespace
 
 base::Result<kanji::KanjiDatabase> open_database(const std::string& path) {
-  if (!path.empty()) return kanji::KanjiDatabase::open(path);
+  const author::Collection own(author::Collection::usual_folder());
+  if (!path.empty()) return author::open_with_own(path, own);
   auto found = kanji::KanjiDatabase::locate();
   if (!found) return tl::unexpected(std::move(found.error()));
-  return kanji::KanjiDatabase::open(*found);
+  return author::open_with_own(*found, own);
 }
 
 FoundCharacters find_characters(const kanji::KanjiDatabase& database, std::span<const CharacterName> names) {

@@ -14,7 +14,8 @@ namespace nazori::cli {
 
 using kanji::CharacterName;
 
-/// Opens the database at `path`, or the one that KanjiDatabase::locate() finds where `path` is empty.
+/// Opens the database at `path`, or the one that KanjiDatabase::locate() finds where `path` is empty, with
+/// the learner's own characters. Those that are damaged are left out: `nazori-cli author kept` names them.
 [[nodiscard]] base::Result<kanji::KanjiDatabase> open_database(const std::string& path);
 
 /// The characters that the database has.

@@ -16,6 +16,7 @@
 #include "nazori/kanji/meaning_text.h"
 #include "nazori/kanji/romaji.h"
 #include "nazori/kanji/schema.h"
+#include "nazori/kanji/search_keys.h"
 #include "tables.h"
 
 namespace nazori::ingest {
@@ -78,51 +79,8 @@ std::string joined(const std::vector<int>& numbers) {
   return out;
 }
 
-std::string first_meaning(const kanji::DictionaryEntry& entry) {
-  return entry.meanings.empty() || entry.meanings.front().language != "en" ? "" : entry.meanings.front().text;
-}
-std::string first_reading(const kanji::DictionaryEntry& entry) {
-  if (!entry.kun_readings.empty()) return entry.kun_readings.front();
-  return entry.on_readings.empty() ? "" : entry.on_readings.front();
-}
-
-/// Keys with the best fit of each.
-using Keys = std::map<std::string, KeyFit>;
-void offer(Keys& keys, std::string key, KeyFit fit) {
-  if (key.empty()) return;
-  const auto [at, is_new] = keys.emplace(std::move(key), fit);
-  if (!is_new) at->second = std::min(at->second, fit);
-}
-
-Keys reading_keys(const kanji::DictionaryEntry& entry) {
-  Keys keys;
-  for (const std::string& on : entry.on_readings) offer(keys, kanji::fold_reading(on), KeyFit::whole);
-  for (const std::string& kun : entry.kun_readings) {
-    offer(keys, kanji::fold_reading(kun), KeyFit::whole);
-    if (const auto dot = kun.find('.'); dot != std::string::npos) {
-      offer(keys, kanji::fold_reading(kun.substr(0, dot)), KeyFit::part);
-    }
-  }
-  for (const std::string& name : entry.nanori) offer(keys, kanji::fold_reading(name), KeyFit::name);
-  return keys;
-}
-
-Keys meaning_keys(const kanji::DictionaryEntry& entry) {
-  Keys keys;
-  KeyFit fit = KeyFit::whole;
-  for (const auto& [language, text] : entry.meanings) {
-    if (language != "en") continue;
-    std::string phrase = kanji::fold_meaning(text);
-    offer(keys, phrase, fit);
-    // Each word of a meaning can be found by its beginning: the key is the meaning from that word on.
-    for (std::size_t gap = phrase.find(' '); gap != std::string::npos; gap = phrase.find(' ')) {
-      phrase.erase(0, gap + 1);
-      offer(keys, phrase, KeyFit::name);
-    }
-    fit = KeyFit::part;
-  }
-  return keys;
-}
+using kanji::offer_key;
+using Keys = kanji::SearchKeys;
 
 /// Words with which nobody looks for a meaning that goes on with them.
 bool is_function_word(std::string_view word) {
@@ -139,25 +97,17 @@ Keys gloss_keys(const EdictEntry& word) {
   for (const auto& sense : word.senses) {
     for (const std::string& gloss : sense) {
       std::string phrase = kanji::fold_gloss(gloss);
-      offer(keys, phrase, fit);
+      offer_key(keys, phrase, fit);
       int words = 1;
       for (std::size_t gap = phrase.find(' '); gap != std::string::npos && words < kMostWords;
            gap = phrase.find(' '), ++words) {
         phrase.erase(0, gap + 1);
-        if (!is_function_word(phrase.substr(0, phrase.find(' ')))) offer(keys, phrase, KeyFit::name);
+        if (!is_function_word(phrase.substr(0, phrase.find(' ')))) offer_key(keys, phrase, KeyFit::name);
       }
       fit = KeyFit::part;
     }
   }
   return keys;
-}
-
-void collect_elements(const kanji::Component& group, std::set<std::string>& elements) {
-  for (const kanji::Component& child : group.children) {
-    if (!child.element.empty()) elements.insert(child.element);
-    if (!child.original.empty()) elements.insert(child.original);
-    collect_elements(child, elements);
-  }
 }
 
 }  // namespace
@@ -261,28 +211,26 @@ void DatabaseWriter::add_character(char32_t code_point, std::int64_t place, cons
   insert(character_, number_of(code_point), place, static_cast<int>(kind_of(code_point)),
          static_cast<int>(main == nullptr ? 0 : main->strokes.size()),
          e.stroke_counts.empty() ? 0 : e.stroke_counts.front(), e.grade, e.frequency, e.old_jlpt_level,
-         e.radical, first_meaning(e), first_reading(e));
+         e.radical, kanji::first_meaning(e), kanji::first_reading(e));
   if (entry != nullptr) add_entry(code_point, *entry);
   add_keys(code_point, place, main, entry);
 }
 
 void DatabaseWriter::add_keys(char32_t code_point, std::int64_t place, const DrawnForm* main,
                               const kanji::DictionaryEntry* entry) {
-  Keys readings = entry == nullptr ? Keys() : reading_keys(*entry);
+  Keys readings = entry == nullptr ? Keys() : kanji::reading_keys(*entry);
   const CharacterKind kind = kind_of(code_point);
   if (kind == CharacterKind::hiragana || kind == CharacterKind::katakana) {
-    offer(readings, kanji::fold_reading(base::encode_utf8(code_point)), KeyFit::whole);
+    offer_key(readings, kanji::fold_reading(base::encode_utf8(code_point)), KeyFit::whole);
   }
   for (const auto& [key, fit] : readings) insert(reading_key_, key, place, static_cast<int>(fit));
   if (entry != nullptr) {
-    for (const auto& [key, fit] : meaning_keys(*entry))
+    for (const auto& [key, fit] : kanji::meaning_keys(*entry))
       insert(meaning_key_, key, place, static_cast<int>(fit));
   }
   if (main != nullptr) {
-    std::set<std::string> elements;
-    collect_elements(main->components, elements);
-    elements.erase(base::encode_utf8(code_point));
-    for (const std::string& element : elements) insert(element_of_, element, place);
+    for (const std::string& element : kanji::element_keys(code_point, main->components))
+      insert(element_of_, element, place);
   }
 }
 

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "character_rows.h"
 #include "kanji_database_inside.h"
 #include "nazori/base/utf8.h"
+#include "nazori/kanji/character_name.h"
+#include "nazori/kanji/own_characters.h"
+#include "own_rows.h"
 
 namespace nazori::kanji {
 namespace {
@@ -31,11 +35,23 @@ std::vector<int> read_numbers(std::string_view text) {
   return out;
 }
 
+base::Result<void> check_own(const std::vector<Character>& own) {
+  std::set<char32_t> known;
+  for (const Character& one : own) {
+    if (is_own(one.code_point) && known.insert(one.code_point).second) continue;
+    return base::fail(base::Errc::bad_argument, "is not a code point of its own for an own character",
+                      code_point_text(one.code_point), "give each another one of U+F0000 to U+FFFFD");
+  }
+  return {};
+}
+
 }  // namespace
 
-KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file)
+KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file,
+                              std::vector<Character> own_characters)
     : db(std::move(opened)),
       name(std::move(file)),
+      own(std::move(own_characters)),
       character(db,
                 "SELECT strokes, grade, frequency, old_jlpt, radical FROM character WHERE code_point = ?"),
       form(db, "SELECT id FROM form WHERE code_point = ? AND variant = ?"),
@@ -108,6 +124,12 @@ void KanjiDatabase::Inside::load_roster() {
   }
 }
 
+const Character* KanjiDatabase::Inside::find_own(char32_t code_point) const {
+  if (!is_own(code_point)) return nullptr;
+  const auto place = place_of(code_point);
+  return place && *place >= first_own() ? &own[*place - first_own()] : nullptr;
+}
+
 std::optional<std::size_t> KanjiDatabase::Inside::place_of(char32_t code_point) const {
   const auto found = places_.find(code_point);
   return found == places_.end() ? std::nullopt : std::optional(found->second);
@@ -126,7 +148,9 @@ KanjiDatabase::KanjiDatabase(KanjiDatabase&&) noexcept = default;
 KanjiDatabase& KanjiDatabase::operator=(KanjiDatabase&&) noexcept = default;
 KanjiDatabase::~KanjiDatabase() = default;
 
-base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& path) {
+base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& path,
+                                                std::vector<Character> own) {
+  if (auto fit = check_own(own); !fit) return tl::unexpected(std::move(fit.error()));
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status)) {
@@ -151,7 +175,8 @@ base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& pat
                             std::to_string(kSchemaVersion),
                         path.string(), kRebuild);
     }
-    return KanjiDatabase(std::make_unique<Inside>(std::move(db), path.string()));
+    if (!own.empty()) add_own_rows(db, own);
+    return KanjiDatabase(std::make_unique<Inside>(std::move(db), path.string(), std::move(own)));
   } catch (const SQLite::Exception& e) {
     const bool refused = e.getErrorCode() == SQLITE_CANTOPEN || e.getErrorCode() == SQLITE_IOERR;
     return base::fail(refused ? base::Errc::io : base::Errc::schema,
@@ -164,6 +189,9 @@ const std::optional<base::Error>& KanjiDatabase::trouble() const { return inside
 
 std::optional<Character> KanjiDatabase::find(char32_t code_point, std::string_view variant) const {
   return inside_->answer_or<std::optional<Character>>(std::nullopt, [&]() -> std::optional<Character> {
+    if (const Character* own = inside_->find_own(code_point)) {
+      return variant.empty() ? std::optional(*own) : std::nullopt;
+    }
     const auto key = static_cast<std::int64_t>(code_point);
     Character out;
     out.code_point = code_point;
@@ -250,6 +278,8 @@ std::vector<Summary> KanjiDatabase::list(List which) const {
         return e.kind == CharacterKind::katakana;
       case List::latin_and_digits:
         return e.kind == CharacterKind::latin;
+      case List::own:
+        return is_own(e.code_point);
       case List::all:
         return e.drawn > 0;
     }
@@ -362,14 +392,20 @@ std::vector<Source> KanjiDatabase::sources() const {
 
 void KanjiDatabase::for_each_stroke(const std::function<void(const StrokePath&)>& take) const {
   inside_->answer_or(0, [&] {
-    SQLite::Statement row(inside_->db,
-                          "SELECT f.code_point, c.place, s.path FROM form f JOIN character c ON c.code_point "
-                          "= f.code_point JOIN stroke s ON s.form = f.id WHERE f.variant = '' ORDER BY f.id, "
-                          "s.number");
+    SQLite::Statement row(
+        inside_->db,
+        "SELECT f.code_point, c.place, s.path FROM form f JOIN main.character c ON "
+        "c.code_point = f.code_point JOIN stroke s ON s.form = f.id WHERE f.variant = '' ORDER BY f.id, "
+        "s.number");
     while (row.executeStep()) {
       const auto path = row.getColumn(2);
       const char* text = path.getText();
       take({static_cast<char32_t>(row.getColumn(0).getInt()), row.getColumn(1).getInt(), text});
+    }
+    auto place = static_cast<int>(inside_->first_own());
+    for (const Character& one : inside_->own) {
+      for (const Stroke& stroke : one.strokes) take({one.code_point, place, stroke.path});
+      ++place;
     }
     return 0;
   });

@@ -52,7 +52,7 @@ class Rewound {
 };
 
 struct KanjiDatabase::Inside {
-  Inside(SQLite::Database opened, std::string file);
+  Inside(SQLite::Database opened, std::string file, std::vector<Character> own_characters);
 
   /// Runs `work`. If the database fails, returns `otherwise` and stores the error for trouble().
   template <class Answer, class Work>
@@ -83,9 +83,14 @@ struct KanjiDatabase::Inside {
   /// Rank of a character, or nullopt.
   [[nodiscard]] std::optional<std::size_t> place_of(char32_t code_point) const;
   [[nodiscard]] Summary summary(std::size_t place) const;
+  /// The place of the first own character.
+  [[nodiscard]] std::size_t first_own() const { return roster_.size() - own.size(); }
+  /// nullptr for a character of the file, and for none.
+  [[nodiscard]] const Character* find_own(char32_t code_point) const;
 
   SQLite::Database db;
   std::string name;
+  std::vector<Character> own;          ///< in the order of their places, after those of the file
   std::optional<base::Error> trouble;  ///< the first error since it was opened
   SQLite::Statement character, form, variants, strokes, components, orders;
   SQLite::Statement stroke_counts, readings, meanings, codes;

@@ -63,7 +63,6 @@ struct Answer {
 };
 
 using Sheet = std::shared_ptr<const CharacterSheet>;
-using Database = std::optional<kanji::KanjiDatabase>;
 
 struct SearchRequest {
   std::string typed;
@@ -139,7 +138,7 @@ Sheet sheet_of(const kanji::KanjiDatabase& database, char32_t code_point) {
 }  // namespace
 
 struct CharacterLibrary::Inside {
-  Inside(CharacterLibrary& owner, base::Inbox& inbox);
+  Inside(CharacterLibrary& owner, base::Inbox& inbox, CharacterSource source);
 
   /// Runs `find` if the database is open; otherwise there is no answer.
   template <class Request, class Found, class Find, class Answered>
@@ -147,10 +146,11 @@ struct CharacterLibrary::Inside {
     using Answered_ = std::optional<Answer<Found>>;
     return std::make_unique<base::Latest<Request, Answered_>>(
         background,
-        [database = database, find](const Request& request, const auto&) -> Answered_ {
-          if (!*database) return std::nullopt;
-          Answer<Found> answer{find(**database, request), {}};
-          answer.trouble = (*database)->trouble();
+        [book = book, find](const Request& request, const auto&) -> Answered_ {
+          // Before it was opened, or where that failed, `failed` has said so.
+          if (book->database() == nullptr || !book->look()) return std::nullopt;
+          Answer<Found> answer{find(*book->database(), request), {}};
+          answer.trouble = book->database()->trouble();
           return answer;
         },
         [this, answered](Answered_ answer) {
@@ -163,7 +163,7 @@ struct CharacterLibrary::Inside {
 
   CharacterLibrary& owner;
   bool has_reported_trouble = false;
-  std::shared_ptr<Database> database = std::make_shared<Database>();  ///< used by the background thread only
+  std::shared_ptr<CharacterBook> book;  ///< used by the background thread only
   std::shared_ptr<base::Background> background;
   std::unique_ptr<base::Latest<kanji::List, std::optional<Answer<ListAnswer>>>> lists;
   std::unique_ptr<base::Latest<SearchRequest, std::optional<Answer<Searched>>>> searches;
@@ -173,8 +173,10 @@ struct CharacterLibrary::Inside {
   std::unique_ptr<base::Latest<std::vector<char32_t>, std::optional<Answer<Characters>>>> characters;
 };
 
-CharacterLibrary::Inside::Inside(CharacterLibrary& library, base::Inbox& inbox)
-    : owner(library), background(std::make_shared<base::Background>("library", inbox)) {
+CharacterLibrary::Inside::Inside(CharacterLibrary& library, base::Inbox& inbox, CharacterSource source)
+    : owner(library),
+      book(std::make_shared<CharacterBook>(std::move(source))),
+      background(std::make_shared<base::Background>("library", inbox)) {
   using kanji::KanjiDatabase;
   lists = latest<kanji::List, ListAnswer>(
       [](const KanjiDatabase& from, kanji::List which) {
@@ -205,17 +207,15 @@ CharacterLibrary::Inside::Inside(CharacterLibrary& library, base::Inbox& inbox)
       characters_of, [this](const Characters& answer) { owner.characters_ready(answer); });
 }
 
-CharacterLibrary::CharacterLibrary(base::Inbox& inbox, std::filesystem::path path)
-    : inside_(std::make_unique<Inside>(*this, inbox)) {
+CharacterLibrary::CharacterLibrary(base::Inbox& inbox, CharacterSource source)
+    : inside_(std::make_unique<Inside>(*this, inbox, std::move(source))) {
   base::Background& background = *inside_->background;
-  background.post([this, &background, opened_database = inside_->database, path = std::move(path)] {
-    auto database = kanji::KanjiDatabase::open(path);
-    if (!database) {
-      background.answer([this, error = database.error()] { failed(error); });
+  background.post([this, &background, book = inside_->book] {
+    if (const auto anew = book->look(); !anew) {
+      background.answer([this, error = anew.error()] { failed(error); });
       return;
     }
-    opened_database->emplace(std::move(*database));
-    background.answer([this, sources = (*opened_database)->sources()] { opened(sources); });
+    background.answer([this, sources = book->database()->sources()] { opened(sources); });
   });
 }
 

@@ -13,16 +13,14 @@ using Kind = LearnerEvent::Kind;
 
 Learner::Learner(base::Inbox& inbox, Place place)
     : folder_(std::move(place.folder)),
-      database_file_(std::move(place.database)),
       clock_(std::move(place.clock)),
+      book_(std::move(place.characters)),
       upkeep_(inbox) {
   if (!clock_) clock_ = study::system_now;
   if (folder_.empty())
     if (auto known = study::profiles_folder()) folder_ = *std::move(known);
-  if (auto opened = kanji::KanjiDatabase::open(database_file_)) {
-    database_.emplace(*std::move(opened));
-    lists_ = std::make_unique<study::CharacterLists>(*database_);
-  }
+  // A failure is reported by whoever shows characters.
+  if (book_.look()) lists_ = std::make_unique<study::CharacterLists>(*book_.database());
   // Until a profile is opened.
   store_.emplace(*study::LearnerStore::in_memory(clock_));
   upkeep_.done.connect([this](const study::UpkeepReport& report) { handle_upkeep(report); });
@@ -179,6 +177,16 @@ base::Result<study::DayPlan> Learner::plan() {
   const auto order = learning_order();
   if (!order) return tl::unexpected(order.error());
   return study::plan_day(*store_, *order);
+}
+
+void Learner::renew_characters() {
+  if (const auto anew = book_.look(); !anew || !*anew) return;
+  // Assigned, because others hold the address.
+  if (lists_)
+    *lists_ = study::CharacterLists(*book_.database());
+  else
+    lists_ = std::make_unique<study::CharacterLists>(*book_.database());
+  renew_order();
 }
 
 void Learner::renew_order() {

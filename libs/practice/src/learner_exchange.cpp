@@ -42,19 +42,19 @@ class TemporaryFolder {
 };
 
 base::Result<void> write_learner(LearnerExchange::Format format, const fs::path& learner,
-                                 const study::Clock& clock, const fs::path& database,
+                                 const study::Clock& clock, const CharacterSource& characters,
                                  const AnkiChoice& choice, const fs::path& path,
                                  const base::Progress& progress) {
   const auto store = LearnerStore::open(learner, Access::read, clock);
   if (!store) return tl::unexpected(store.error());
   if (format == LearnerExchange::Format::anki) {
-    const auto kanji = kanji::KanjiDatabase::open(database);
-    if (!kanji) return tl::unexpected(kanji.error());
-    study::CharacterLists lists(*kanji);
+    CharacterBook book(characters);
+    if (const auto opened = book.look(); !opened) return tl::unexpected(opened.error());
+    study::CharacterLists lists(*book.database());
     const auto members = list_members(choice.list, &lists, *store);
     if (!members) return tl::unexpected(members.error());
     const auto bytes =
-        study::anki_package(*kanji, *members, {choice.deck, choice.words}, store->now(), progress);
+        study::anki_package(*book.database(), *members, {choice.deck, choice.words}, store->now(), progress);
     if (!bytes) return tl::unexpected(bytes.error());
     return base::write_file(path, *bytes);
   }
@@ -152,9 +152,9 @@ void LearnerExchange::write(Format format, const fs::path& file, const AnkiChoic
   const study::Time now = learner_.store().now();
   work_.run(
       [format, file, choice, now, learner = learner_.file(),
-       database = learner_.database_file()](const base::Progress& progress) {
+       characters = learner_.source()](const base::Progress& progress) {
         return write_learner(
-            format, learner, [now] { return now; }, database, choice, file, progress);
+            format, learner, [now] { return now; }, characters, choice, file, progress);
       },
       [this, file](const base::Result<void>& done) {
         end();

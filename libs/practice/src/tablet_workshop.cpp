@@ -8,9 +8,11 @@
 #include <variant>
 #include <vector>
 
+#include "nazori/author/collection.h"
 #include "nazori/base/latest.h"
 #include "nazori/carving/carve.h"
 #include "nazori/exchange/own_files.h"
+#include "nazori/kanji/own_characters.h"
 #include "nazori/kanji/stroke_order.h"
 
 namespace nazori::practice {
@@ -89,7 +91,20 @@ using Answer = std::variant<CarvedCharacter, OwnTablet, Failure>;
 /// The most recently carved tablets, newest first.
 using Recent = std::deque<CarvedCharacter>;
 
-Answer answer_to(const CarveRequest& request, Recent& recent) {
+/// The relief that somebody made: with the widths and depths of its strokes, and the hand's layer.
+base::Result<Tablet> carve_own(const path& folder, char32_t code_point) {
+  const auto character = author::Collection(folder).find(code_point);
+  if (!character) return tl::unexpected(character.error());
+  return author::carved_tablet(*character, TabletWorkshop::kSize);
+}
+
+Answer answer_to(const CarveRequest& request, const path& own_characters, Recent& recent) {
+  if (kanji::is_own(request.code_point) && !own_characters.empty()) {
+    // Not cached: it may be changed at any time.
+    auto made = carve_own(own_characters, request.code_point);
+    if (!made) return Failure{{}, made.error()};
+    return CarvedCharacter{request.code_point, *std::move(made)};
+  }
   const auto known = std::find_if(recent.begin(), recent.end(), [&request](const CarvedCharacter& c) {
     return c.code_point == request.code_point;
   });
@@ -101,7 +116,7 @@ Answer answer_to(const CarveRequest& request, Recent& recent) {
   return recent.front();
 }
 
-Answer answer_to(const LoadRequest& request, Recent&) {
+Answer answer_to(const LoadRequest& request, const path& /*own_characters*/, Recent& /*recent*/) {
   auto own = load_own(request.map_path, request.strokes_path, request.onto, request.grid_size);
   if (!own) return Failure{request.map_path.empty() ? request.strokes_path : request.map_path, own.error()};
   return std::move(*own);
@@ -110,12 +125,13 @@ Answer answer_to(const LoadRequest& request, Recent&) {
 }  // namespace
 
 struct TabletWorkshop::Inside {
-  Inside(TabletWorkshop& workshop, base::Inbox& inbox)
+  Inside(TabletWorkshop& workshop, base::Inbox& inbox, const path& own_characters)
       : background(std::make_shared<base::Background>("workshop", inbox)),
         latest(
             background,
-            [recent = std::make_shared<Recent>()](const Request& request, const auto&) {
-              return std::visit([&recent](const auto& one) { return answer_to(one, *recent); }, request);
+            [own_characters, recent = std::make_shared<Recent>()](const Request& request, const auto&) {
+              return std::visit([&](const auto& one) { return answer_to(one, own_characters, *recent); },
+                                request);
             },
             [&workshop](const Answer& answer) {
               if (const auto* character = std::get_if<CarvedCharacter>(&answer))
@@ -137,7 +153,8 @@ base::Result<TabletWorkshop::GridGuess> TabletWorkshop::guess_grid(
   return GridGuess{guess->side, guess->certain};
 }
 
-TabletWorkshop::TabletWorkshop(base::Inbox& inbox) : inside_(std::make_unique<Inside>(*this, inbox)) {}
+TabletWorkshop::TabletWorkshop(base::Inbox& inbox, path own_characters)
+    : inside_(std::make_unique<Inside>(*this, inbox, own_characters)) {}
 
 TabletWorkshop::~TabletWorkshop() = default;
 

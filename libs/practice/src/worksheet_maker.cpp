@@ -17,18 +17,16 @@ namespace fs = std::filesystem;
 /// What the other thread keeps: the database, and the document that was laid out last.
 class Bench {
  public:
-  explicit Bench(fs::path database) : database_file_(std::move(database)) {}
+  explicit Bench(CharacterSource source) : book_(std::move(source)) {}
 
   /// The document of a request; the one before where nothing has changed. Valid until the next call.
   base::Result<print::Worksheet*> sheet(const WorksheetRequest& request, const base::Progress& progress) {
-    if (sheet_ && request == request_) return &*sheet_;
+    const auto anew = book_.look();
+    if (!anew) return tl::unexpected(anew.error());
+    if (sheet_ && !*anew && request == request_) return &*sheet_;
     sheet_.reset();
     count_ = 0;
-    if (!database_) {
-      auto opened = kanji::KanjiDatabase::open(database_file_);
-      if (!opened) return tl::unexpected(std::move(opened.error()));
-      database_.emplace(*std::move(opened));
-    }
+    const kanji::KanjiDatabase& database = *book_.database();
     const WorksheetChoice& choice = request.choice;
     print::SheetSettings settings = choice.sheet;
     settings.text = choice.text;
@@ -36,13 +34,13 @@ class Bench {
     if (settings.layout != print::Layout::manuscript) {
       const auto code_points =
           choice.source == WorksheetSource::text
-              ? characters_of_text(choice.text, [this](char32_t c) { return database_->draws(c); })
+              ? characters_of_text(choice.text, [&database](char32_t c) { return database.draws(c); })
               : request.characters;
       std::vector<kanji::CharacterName> names;
       names.reserve(code_points.size());
       for (const char32_t c : code_points) names.push_back({c, {}});
-      characters = sheet_characters(*database_, names, settings);
-      if (database_->trouble()) return tl::unexpected(*database_->trouble());
+      characters = sheet_characters(database, names, settings);
+      if (database.trouble()) return tl::unexpected(*database.trouble());
     }
     missing_.clear();
     for (const kanji::CharacterName& name : characters.missing) missing_.push_back(name.code_point);
@@ -57,8 +55,7 @@ class Bench {
   [[nodiscard]] const std::vector<char32_t>& missing() const { return missing_; }
 
  private:
-  fs::path database_file_;
-  std::optional<kanji::KanjiDatabase> database_;
+  CharacterBook book_;
   WorksheetRequest request_;
   std::optional<print::Worksheet> sheet_;
   std::size_t count_ = 0;
@@ -112,9 +109,9 @@ base::Result<std::size_t> write(Bench& bench, const SaveRequest& asked, const ba
 }  // namespace
 
 struct WorksheetMaker::Inside {
-  Inside(WorksheetMaker& maker, base::Inbox& inbox, const fs::path& database)
+  Inside(WorksheetMaker& maker, base::Inbox& inbox, const CharacterSource& source)
       : background(std::make_shared<base::Background>("worksheets", inbox)),
-        bench(std::make_shared<Bench>(database)),
+        bench(std::make_shared<Bench>(source)),
         views(
             background,
             [bench = bench](const ShowRequest& asked, const auto& run) {

@@ -14,16 +14,16 @@ namespace fs = std::filesystem;
 
 /// What the other thread keeps: the database, and what it knows of the shapes of characters.
 struct WorksheetReader::Bench {
-  explicit Bench(fs::path file) : database_file(std::move(file)) {}
+  explicit Bench(CharacterSource source) : book(std::move(source)) {}
 
   base::Result<std::shared_ptr<const WorksheetsRead>> read(const fs::path& path) {
     auto photo = scan::load_photo(path);
     if (!photo) return tl::unexpected(std::move(photo.error()));
-    if (!reader) {
-      auto opened = kanji::KanjiDatabase::open(database_file);
-      if (!opened) return tl::unexpected(std::move(opened.error()));
-      database.emplace(*std::move(opened));
-      auto made = scan::SheetReader::make(*database);
+    const auto anew = book.look();
+    if (!anew) return tl::unexpected(anew.error());
+    if (*anew || !reader) {
+      reader.reset();
+      auto made = scan::SheetReader::make(*book.database());
       if (!made) return tl::unexpected(std::move(made.error()));
       reader.emplace(*std::move(made));
     }
@@ -36,13 +36,12 @@ struct WorksheetReader::Bench {
     return answer;
   }
 
-  fs::path database_file;
-  std::optional<kanji::KanjiDatabase> database;
+  CharacterBook book;
   std::optional<scan::SheetReader> reader;
 };
 
-WorksheetReader::WorksheetReader(base::Inbox& inbox, const fs::path& database)
-    : bench_(std::make_shared<Bench>(database)),
+WorksheetReader::WorksheetReader(base::Inbox& inbox, const CharacterSource& source)
+    : bench_(std::make_shared<Bench>(source)),
       background_(std::make_unique<base::Background>("sheets", inbox)) {}
 
 WorksheetReader::~WorksheetReader() = default;

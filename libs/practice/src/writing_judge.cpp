@@ -17,10 +17,9 @@ namespace {
 
 /// The grader's database and models.
 struct Books {
-  explicit Books(std::filesystem::path from) : path(std::move(from)) {}
+  explicit Books(CharacterSource from) : book(std::move(from)) {}
 
-  std::filesystem::path path;
-  std::optional<kanji::KanjiDatabase> database;
+  CharacterBook book;
   std::optional<writing::ModelLibrary> models;
 
   struct Answer {
@@ -30,12 +29,9 @@ struct Books {
   };
 
   base::Result<Answer> grade(const JudgeRequest& request) {
-    if (!models) {
-      auto opened = kanji::KanjiDatabase::open(path);
-      if (!opened) return tl::unexpected(opened.error());
-      database.emplace(std::move(*opened));
-      models.emplace(*database);
-    }
+    const auto anew = book.look();
+    if (!anew) return tl::unexpected(anew.error());
+    if (*anew) models.emplace(*book.database());
     const auto entry = models->find(request.character);
     if (!entry) return tl::unexpected(entry.error());
     writing::GradeOptions options;
@@ -67,24 +63,24 @@ bool looks_same(char32_t a, char32_t b) {
 
 /// The recogniser, once its data are loaded.
 struct Reader {
-  explicit Reader(std::filesystem::path from) : path(std::move(from)) {}
+  explicit Reader(CharacterSource from) : book(std::move(from)) {}
 
-  std::filesystem::path path;
+  CharacterBook book;
   std::optional<writing::Recogniser> recogniser;
-  std::optional<kanji::KanjiDatabase> database;
   std::optional<writing::ModelLibrary> models;
   std::unordered_map<char32_t, kanji::Summary> summaries;
 
   base::Result<void> learn() {
-    if (recogniser) return {};
-    auto opened = kanji::KanjiDatabase::open(path);
-    if (!opened) return tl::unexpected(opened.error());
-    auto made = writing::Recogniser::make(*opened);
+    const auto anew = book.look();
+    if (!anew) return tl::unexpected(anew.error());
+    if (!*anew && recogniser) return {};
+    const kanji::KanjiDatabase& database = *book.database();
+    auto made = writing::Recogniser::make(database);
     if (!made) return tl::unexpected(made.error());
-    for (auto& summary : opened->list(kanji::List::all)) summaries.emplace(summary.code_point, summary);
+    summaries.clear();
+    for (auto& summary : database.list(kanji::List::all)) summaries.emplace(summary.code_point, summary);
     recogniser.emplace(std::move(*made));
-    database.emplace(std::move(*opened));
-    models.emplace(*database);
+    models.emplace(database);
     return {};
   }
 
@@ -167,10 +163,10 @@ using Reading = Numbered<std::vector<FoundCharacter>>;
 }  // namespace
 
 struct WritingJudge::Inside {
-  Inside(WritingJudge& judge, base::Inbox& inbox, const std::filesystem::path& database)
+  Inside(WritingJudge& judge, base::Inbox& inbox, const CharacterSource& source)
       : grader(
             "grader", inbox,
-            [books = std::make_shared<Books>(database)](const JudgeRequest& request, const auto& run) {
+            [books = std::make_shared<Books>(source)](const JudgeRequest& request, const auto& run) {
               return Judgement{run.ticket(), books->grade(request)};
             },
             [&judge](const Judgement& answer) {
@@ -181,7 +177,7 @@ struct WritingJudge::Inside {
               if (answer.found->finished) judge.pen_reported(answer.number, answer.found->pen);
               judge.judged(answer.number, answer.found->grade);
             }),
-        reader(std::make_shared<Reader>(database)),
+        reader(std::make_shared<Reader>(source)),
         recogniser_thread(std::make_shared<base::Background>("recogniser", inbox)),
         recogniser(
             recogniser_thread,
@@ -208,8 +204,8 @@ struct WritingJudge::Inside {
   base::Latest<InkToName, Name> namer;
 };
 
-WritingJudge::WritingJudge(base::Inbox& inbox, const std::filesystem::path& database)
-    : inside_(std::make_unique<Inside>(*this, inbox, database)) {}
+WritingJudge::WritingJudge(base::Inbox& inbox, const CharacterSource& source)
+    : inside_(std::make_unique<Inside>(*this, inbox, source)) {}
 
 WritingJudge::~WritingJudge() = default;
 

@@ -51,7 +51,7 @@ TEST_F(PracticeLearner, ANewProfileIsANewLearner) {
   EXPECT_TRUE(std::filesystem::exists(learner_->file()));
   EXPECT_NE(learner_->lists(), nullptr);
   EXPECT_NE(learner_->database(), nullptr);
-  EXPECT_EQ(learner_->database_file(), kanji_db());
+  EXPECT_EQ(learner_->source().database, kanji_db());
 }
 
 TEST_F(PracticeLearner, ANameThatNoLearnerCanHaveChangesNothing) {

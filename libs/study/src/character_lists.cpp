@@ -26,7 +26,7 @@ constexpr int kUnknown = 1 << 20;
 
 std::optional<kanji::List> database_list(std::string_view id) {
   using kanji::List;
-  constexpr std::array<std::pair<std::string_view, List>, 10> kLists{{{"grade-1", List::grade_1},
+  constexpr std::array<std::pair<std::string_view, List>, 11> kLists{{{"grade-1", List::grade_1},
                                                                       {"grade-2", List::grade_2},
                                                                       {"grade-3", List::grade_3},
                                                                       {"grade-4", List::grade_4},
@@ -35,7 +35,8 @@ std::optional<kanji::List> database_list(std::string_view id) {
                                                                       {"secondary", List::secondary},
                                                                       {"jinmeiyou", List::jinmeiyou},
                                                                       {"hiragana", List::hiragana},
-                                                                      {"katakana", List::katakana}}};
+                                                                      {"katakana", List::katakana},
+                                                                      {"own", List::own}}};
   for (const auto& [name, list] : kLists) {
     if (name == id) return list;
   }
@@ -94,6 +95,7 @@ std::span<const ReadyList> ready_lists() {
       lists.push_back(
           {fmt::format("{}{}", kOldJlpt, level), fmt::format("old JLPT level {} (before 2010)", level)});
     }
+    lists.push_back({"own", "my characters"});
     return lists;
   }();
   return kLists;

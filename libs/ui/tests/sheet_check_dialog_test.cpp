@@ -78,7 +78,7 @@ class SheetCheckDialogTest : public WindowTest {
  protected:
   SheetCheckDialogTest() { pages_ = {make_characters}; }
   QString printed() {
-    practice::WorksheetMaker maker(the_parts->inbox(), the_parts->learner().database_file());
+    practice::WorksheetMaker maker(the_parts->inbox(), the_parts->learner().source());
     bool saved = false;
     base::Connection listening = maker.saved.connect([&](const auto&, std::size_t) { saved = true; });
     practice::WorksheetRequest request;

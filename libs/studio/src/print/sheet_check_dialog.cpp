@@ -38,7 +38,7 @@ SheetCheckDialog::SheetCheckDialog(WindowParts& parts, QWidget* parent)
       view_(named(new PhotoView(this), "sheet_picture", tr("The photograph with its cells"))),
       words_(sentence_label("sheet_check_words", this)),
       spoken_(new SpokenLine(this)),
-      reader_(parts.inbox(), parts.learner().database_file()) {
+      reader_(parts.inbox(), parts.learner().source()) {
   setObjectName(QStringLiteral("sheet_check_dialog"));
   setWindowTitle(tr("Check worksheets"));
   constexpr int kLetters = 16;

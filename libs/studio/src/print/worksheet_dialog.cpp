@@ -48,6 +48,8 @@ std::string id_of(kanji::List list) {
       return "hiragana";
     case kanji::List::katakana:
       return "katakana";
+    case kanji::List::own:
+      return "own";
     case kanji::List::latin_and_digits:
     case kanji::List::all:
       return "grade-1";
@@ -69,7 +71,7 @@ WorksheetDialog::WorksheetDialog(WindowParts& parts, char32_t shown, QWidget* pa
       number_(text_label("worksheet_number", this, "muted")),
       words_(sentence_label("worksheet_words", this)),
       spoken_(new SpokenLine(this)),
-      maker_(parts.inbox(), parts.learner().database_file()) {
+      maker_(parts.inbox(), parts.learner().source()) {
   setObjectName(QStringLiteral("worksheet_dialog"));
   setWindowTitle(tr("Print a worksheet"));
   area_->setFrameShape(QFrame::NoFrame);

@@ -66,6 +66,7 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, practice::Learne
                                                    {kanji::List::hiragana, tr("Hiragana")},
                                                    {kanji::List::katakana, tr("Katakana")},
                                                    {kanji::List::latin_and_digits, tr("Letters and digits")},
+                                                   {kanji::List::own, tr("My characters")},
                                                    {kanji::List::all, tr("All characters")}};
   for (const auto& [list, name] : lists) lists_->addItem(name, static_cast<int>(list));
   lists_->setMaxVisibleItems(static_cast<int>(std::size(lists)));

@@ -154,7 +154,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& look)
     : window(owner),
       appearance(look),
-      parts(owner, setup.database, setup.settings_file, {setup.learners, setup.database, setup.clock}) {
+      parts(owner, setup.settings_file,
+            {setup.learners, {setup.database, setup.own_characters}, setup.clock}) {
   parts.set_back_ends(setup.back_ends ? setup.back_ends() : registered_back_ends(parts.settings_file()));
   save_timer.setSingleShot(true);
   save_timer.setInterval(600);

@@ -23,6 +23,7 @@ QString ListChoice::name_of(const QString& id) {
   if (id == QLatin1String("jinmeiyou")) return tr("Kanji for names");
   if (id == QLatin1String("hiragana")) return tr("Hiragana");
   if (id == QLatin1String("katakana")) return tr("Katakana");
+  if (id == QLatin1String("own")) return tr("My characters");
   if (id.startsWith(QLatin1String("old-jlpt-"))) return tr("Old JLPT level %1 (before 2010)").arg(id.mid(9));
   if (id.startsWith(QLatin1String("list:"))) return tr("My list: %1").arg(id.mid(5));
   if (id.startsWith(QLatin1String("tag:"))) return tr("Tag: %1").arg(id.mid(4));

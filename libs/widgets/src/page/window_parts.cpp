@@ -19,18 +19,19 @@ constexpr int kLookAtTheDay_ms = 60'000;
 
 }  // namespace
 
-WindowParts::WindowParts(QWidget& window, const std::filesystem::path& database, QString settings_file,
-                         const practice::Learner::Place& learner)
+WindowParts::WindowParts(QWidget& window, QString settings_file, const practice::Learner::Place& learner)
     : window_(window),
       settings_file_(settings_file.isEmpty() ? Preferences::default_file() : std::move(settings_file)),
       preferences_(Preferences::load(settings_file_)),
-      library_(inbox(), database),
-      judge_(inbox(), database),
+      library_(inbox(), learner.characters),
+      workshop_(inbox(), learner.characters.own),
+      judge_(inbox(), learner.characters),
       recording_(inbox(), tablet_.device(), unfinished_recordings(settings_file_)),
       learner_(inbox(), learner),
       practice_({inbox(), clock_, tablet_, library_, workshop_, judge_, session_}) {
   tablet_.set_style(preferences_.style);
   connect(this, &WindowParts::character_shown, this, &WindowParts::note_opened);
+  connect(this, &WindowParts::own_characters_changed, this, [this] { learner_.renew_characters(); });
   QTimer::singleShot(kOpenedAtLatest_ms, this, &WindowParts::note_opened);
   subscribe(learner_.announced, this, [this](const practice::LearnerEvent& event) {
     announce_when_open(LearnerWords::kind(event), LearnerWords::sentence(event));

@@ -23,9 +23,9 @@ constexpr const char* kStyles[] = {"classic", "wood", "slate"};
 constexpr const char* kCrosses[] = {"none", "halves", "quarters"};
 constexpr const char* kHands[] = {"none", "left", "right"};
 constexpr const char* kThemes[] = {"desktop", "light", "dark"};
-constexpr const char* kLists[] = {"grade_1",  "grade_2",  "grade_3",          "grade_4",
-                                  "grade_5",  "grade_6",  "secondary",        "jinmeiyou",
-                                  "hiragana", "katakana", "latin_and_digits", "all"};
+constexpr const char* kLists[] = {"grade_1",          "grade_2",   "grade_3",   "grade_4",  "grade_5",
+                                  "grade_6",          "secondary", "jinmeiyou", "hiragana", "katakana",
+                                  "latin_and_digits", "own",       "all"};
 
 }  // namespace
 

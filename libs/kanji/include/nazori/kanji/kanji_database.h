@@ -29,7 +29,8 @@ enum class List : std::uint8_t {
   hiragana,
   katakana,
   latin_and_digits,
-  all,  ///< every character that has strokes
+  own,  ///< characters that people made themselves, in the order in which they were given to open()
+  all,  ///< every character that has strokes, own ones, too
 };
 
 /// A published source the database was built from.
@@ -52,9 +53,12 @@ struct StrokePath {
 /// trouble() says why.
 class KanjiDatabase {
  public:
+  /// @param own  characters that people made themselves: they are found, listed and read as those of the file
+  /// are. Their code points are those of is_own(), each once.
   /// @return Errc::not_found for a missing file, Errc::schema for a file that is not a kanji.db of this
-  /// version.
-  [[nodiscard]] static base::Result<KanjiDatabase> open(const std::filesystem::path& path);
+  /// version, Errc::bad_argument for an own character with another code point or none of its own.
+  [[nodiscard]] static base::Result<KanjiDatabase> open(const std::filesystem::path& path,
+                                                        std::vector<Character> own = {});
 
   /// Where kanji.db is looked for, in order: the folder in NAZORI_DATA; the folder of the running program;
   /// for a program that runs where it was built, build/data (base::BuildTree::data); nazori/ in XDG_DATA_HOME

@@ -12,6 +12,7 @@
 #include "nazori/base/signal.h"
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/kanji/part_picker.h"
+#include "nazori/practice/character_source.h"
 #include "nazori/practice/confusables.h"
 #include "nazori/practice/dictation_words.h"
 #include "nazori/practice/helpful_words.h"
@@ -58,8 +59,8 @@ class CharacterLibrary {
   static constexpr int kMaxWords = 60;
 
   /// Opens the database on the other thread; `opened` or `failed` follows.
-  /// @param inbox  outlives this. @param path  of kanji.db.
-  CharacterLibrary(base::Inbox& inbox, std::filesystem::path path);
+  /// @param inbox  outlives this. @param source  own characters that change are noticed at the next request.
+  CharacterLibrary(base::Inbox& inbox, CharacterSource source);
   ~CharacterLibrary();
   CharacterLibrary(const CharacterLibrary&) = delete;
   CharacterLibrary& operator=(const CharacterLibrary&) = delete;

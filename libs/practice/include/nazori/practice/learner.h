@@ -11,6 +11,7 @@
 
 #include "nazori/base/result.h"
 #include "nazori/base/signal.h"
+#include "nazori/practice/character_source.h"
 #include "nazori/practice/learner_event.h"
 #include "nazori/practice/store_upkeep.h"
 #include "nazori/study/character_lists.h"
@@ -27,9 +28,9 @@ class Learner {
  public:
   /// The paths of the study data and the dictionary, and the learner's clock.
   struct Place {
-    std::filesystem::path folder;    ///< of all profiles; empty: study::profiles_folder()
-    std::filesystem::path database;  ///< kanji.db, for lists and their order
-    study::Clock clock;              ///< empty: the computer's
+    std::filesystem::path folder;  ///< of all profiles; empty: study::profiles_folder()
+    CharacterSource characters;    ///< for lists and their order
+    study::Clock clock;            ///< empty: the computer's
   };
 
   /// Opens no profile: the store is an empty one in memory.
@@ -93,9 +94,11 @@ class Learner {
 
   /// Characters and lists of the kanji database; nullptr where that cannot be read.
   [[nodiscard]] study::CharacterLists* lists() { return lists_.get(); }
-  /// kanji.db, for another thread to open.
-  [[nodiscard]] const std::filesystem::path& database_file() const { return database_file_; }
-  [[nodiscard]] const kanji::KanjiDatabase* database() const { return database_ ? &*database_ : nullptr; }
+  /// For another thread to open.
+  [[nodiscard]] const CharacterSource& source() const { return book_.source(); }
+  [[nodiscard]] const kanji::KanjiDatabase* database() const { return book_.database(); }
+  /// Own characters were kept, changed or removed: reads them again; `changed` follows.
+  void renew_characters();
   /// Every character of the chosen lists, in learning order. Valid until something is done, set or renewed.
   /// @return the errors of study::CharacterLists::in_learning_order().
   [[nodiscard]] base::Result<std::span<const char32_t>> learning_order();
@@ -125,10 +128,9 @@ class Learner {
   void handle_damage(const base::Error& error);
 
   std::filesystem::path folder_;
-  std::filesystem::path database_file_;
   study::Clock clock_;
   std::string profile_;
-  std::optional<kanji::KanjiDatabase> database_;
+  CharacterBook book_;
   std::unique_ptr<study::CharacterLists> lists_;
   std::optional<study::LearnerStore> store_;
   bool can_write_ = false;

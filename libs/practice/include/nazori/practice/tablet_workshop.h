@@ -41,14 +41,15 @@ class TabletWorkshop {
   /// Side of the 2005 grid, proposed for a stroke file, which does not contain its own.
   static constexpr int kClassicSize = 128;
 
-  /// @param inbox  outlives this.
-  explicit TabletWorkshop(base::Inbox& inbox);
+  /// @param inbox  outlives this. @param own_characters  folder of the characters that people made; empty:
+  /// there are none.
+  explicit TabletWorkshop(base::Inbox& inbox, std::filesystem::path own_characters = {});
   ~TabletWorkshop();
   TabletWorkshop(const TabletWorkshop&) = delete;
   TabletWorkshop& operator=(const TabletWorkshop&) = delete;
 
   /// Carves a character; of several requests to carve or load only the newest is answered. The last few
-  /// tablets are cached.
+  /// tablets are cached. An own character is carved as it was made, with its own widths and relief.
   void carve(const kanji::Character& character);
 
   /// Loads a height map and strokes, either or both; an empty path means none. Strokes alone are combined

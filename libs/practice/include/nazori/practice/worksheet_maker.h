@@ -10,6 +10,7 @@
 #include "nazori/base/executor.h"
 #include "nazori/base/result.h"
 #include "nazori/base/signal.h"
+#include "nazori/practice/character_source.h"
 #include "nazori/practice/worksheet_choice.h"
 #include "nazori/print/page_drawing.h"
 
@@ -38,7 +39,7 @@ struct WorksheetView {
 class WorksheetMaker {
  public:
   /// @param inbox  outlives this. @param database  kanji.db; opened by the other thread.
-  WorksheetMaker(base::Inbox& inbox, const std::filesystem::path& database);
+  WorksheetMaker(base::Inbox& inbox, const CharacterSource& source);
   ~WorksheetMaker();
   WorksheetMaker(const WorksheetMaker&) = delete;
   WorksheetMaker& operator=(const WorksheetMaker&) = delete;

@@ -8,6 +8,7 @@
 #include "nazori/base/executor.h"
 #include "nazori/base/result.h"
 #include "nazori/base/signal.h"
+#include "nazori/practice/character_source.h"
 #include "nazori/scan/sheet_reader.h"
 #include "nazori/surface/colour_picture.h"
 
@@ -26,7 +27,7 @@ class WorksheetReader {
  public:
   /// @param inbox  outlives this. @param database  kanji.db; opened by the other thread with the first
   /// request.
-  WorksheetReader(base::Inbox& inbox, const std::filesystem::path& database);
+  WorksheetReader(base::Inbox& inbox, const CharacterSource& source);
   ~WorksheetReader();
   WorksheetReader(const WorksheetReader&) = delete;
   WorksheetReader& operator=(const WorksheetReader&) = delete;

@@ -10,6 +10,7 @@
 #include "nazori/base/executor.h"
 #include "nazori/base/result.h"
 #include "nazori/base/signal.h"
+#include "nazori/practice/character_source.h"
 #include "nazori/writing/grade.h"
 #include "nazori/writing/motion_remarks.h"
 #include "nazori/writing/recogniser.h"
@@ -46,8 +47,8 @@ struct FoundCharacter {
 /// request. Thread: the owner of the inbox.
 class WritingJudge {
  public:
-  /// @param inbox  outlives this. @param database  path of kanji.db.
-  WritingJudge(base::Inbox& inbox, const std::filesystem::path& database);
+  /// @param inbox  outlives this.
+  WritingJudge(base::Inbox& inbox, const CharacterSource& source);
   ~WritingJudge();
   WritingJudge(const WritingJudge&) = delete;
   WritingJudge& operator=(const WritingJudge&) = delete;

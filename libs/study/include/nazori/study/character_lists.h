@@ -33,7 +33,7 @@ struct ReadyList {
 };
 
 /// The built-in lists: grade-1 .. grade-6, secondary, jinmeiyou, hiragana, katakana, old-jlpt-4 ..
-/// old-jlpt-1.
+/// old-jlpt-1, own (characters that people made).
 [[nodiscard]] std::span<const ReadyList> ready_lists();
 
 /// The lists that can be chosen.

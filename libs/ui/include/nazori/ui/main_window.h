@@ -25,13 +25,14 @@ class MainWindow final : public QMainWindow {
   Q_OBJECT
  public:
   struct Setup {
-    std::filesystem::path database;  ///< kanji.db
-    QString settings_file;           ///< INI; empty: nazori/nazori.ini in the XDG config home
-    char32_t character = 0;          ///< to open with; 0: the last one
-    QString page;                    ///< id of the page to begin with; empty: as the settings say
-    std::filesystem::path learners;  ///< folder of the profiles; empty: study::profiles_folder()
-    study::Clock clock;              ///< for all that is study; empty: the computer's
-    bool draws_tablet = true;        ///< false: no OpenGL (tests, machines without it)
+    std::filesystem::path database;        ///< kanji.db
+    std::filesystem::path own_characters;  ///< folder of the characters that people made; empty: none
+    QString settings_file;                 ///< INI; empty: nazori/nazori.ini in the XDG config home
+    char32_t character = 0;                ///< to open with; 0: the last one
+    QString page;                          ///< id of the page to begin with; empty: as the settings say
+    std::filesystem::path learners;        ///< folder of the profiles; empty: study::profiles_folder()
+    study::Clock clock;                    ///< for all that is study; empty: the computer's
+    bool draws_tablet = true;              ///< false: no OpenGL (tests, machines without it)
     /// Makes the pages; empty: all that are registered.
     std::vector<std::unique_ptr<Page> (*)(WindowParts&)> pages;
     /// Makes the back ends for haptic devices; empty: all that the program knows.

@@ -28,9 +28,8 @@ namespace nazori::ui {
 class WindowParts final : public QObject {
   Q_OBJECT
  public:
-  /// Settings are read from `settings_file`.
-  WindowParts(QWidget& window, const std::filesystem::path& database, QString settings_file,
-              const practice::Learner::Place& learner);
+  /// Settings are read from `settings_file`. Characters are those of the learner's place.
+  WindowParts(QWidget& window, QString settings_file, const practice::Learner::Place& learner);
   ~WindowParts() override;
 
   [[nodiscard]] QWidget& window() const { return window_; }
@@ -82,6 +81,8 @@ class WindowParts final : public QObject {
   void study_settings_changed();
   /// A character is shown, with its tablet.
   void character_shown(char32_t code_point);
+  /// Own characters were kept, changed or removed.
+  void own_characters_changed();
   /// Once: the window shows its first content.
   void opened();
 
@@ -91,7 +92,7 @@ class WindowParts final : public QObject {
   Preferences preferences_;
   EventLoopInbox inbox_;  // declared before the objects that post to it
   practice::CharacterLibrary library_;
-  practice::TabletWorkshop workshop_{inbox_.inbox()};
+  practice::TabletWorkshop workshop_;
   practice::WritingJudge judge_;
   WindowTablet tablet_;
   practice::TabletRecording recording_;

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/author/collection.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "environment_variable.h"
+#include "nazori/author/character_file.h"
+#include "temporary_folder.h"
+
+namespace nazori::author {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+OwnCharacter sign_called(const std::string& name) {
+  OwnCharacter sign;
+  sign.facts.name = name;
+  sign.facts.readings = {"まなぶ", "ガク"};
+  sign.facts.meanings = {"school sign"};
+  sign.facts.parts = {{"木", {1}}, {"empty", {}}};
+  sign.facts.radical = 75;
+  sign.strokes.push_back({{{{10, 20}, 3, 1}, {{90, 20}, 3, 1}}, kanji::StrokeEnding::hook, {}});
+  sign.strokes.push_back({{{{50, 10}, 2, 1}, {{60, 50}, 4, 1}, {{50, 100}, 0, 0}},
+                          kanji::StrokeEnding::taper,
+                          geometry::GlyphPoint{40, 12}});
+  return sign;
+}
+
+class CollectionTest : public testing::Test {
+ protected:
+  [[nodiscard]] std::vector<char32_t> code_points() const {
+    std::vector<char32_t> out;
+    const auto content = collection_.read();
+    EXPECT_TRUE(content);
+    for (const auto& kept : content->characters) out.push_back(kept.code_point);
+    return out;
+  }
+  [[nodiscard]] char32_t keep(const OwnCharacter& character, std::optional<char32_t> as = {}) const {
+    const auto kept = collection_.keep(character, as);
+    EXPECT_TRUE(kept) << base::to_line(kept.error());
+    return kept.value_or(0);
+  }
+  nazori::test::TemporaryFolder folder_;
+  Collection collection_{folder_ / "mine" / "characters"};
+};
+
+TEST_F(CollectionTest, IsEmptyBeforeAnythingIsKept) {
+  EXPECT_THAT(code_points(), IsEmpty());
+  EXPECT_FALSE(fs::exists(folder_ / "mine"));
+  const auto none = Collection(fs::path()).read();
+  ASSERT_TRUE(none);
+  EXPECT_THAT(none->characters, IsEmpty());
+}
+
+TEST_F(CollectionTest, GivesBackWhatItKeepsUnderACodePointOfItsOwn) {
+  const OwnCharacter sign = sign_called("our sign");
+  const char32_t code_point = keep(sign);
+  EXPECT_TRUE(kanji::is_own(code_point));
+  EXPECT_EQ(collection_.find(code_point).value(), sign);
+  const auto content = collection_.read();
+  ASSERT_TRUE(content);
+  ASSERT_EQ(content->characters.size(), 1U);
+  EXPECT_EQ(content->characters.front().character, sign);
+  EXPECT_EQ(load_character(content->characters.front().file).value(), sign);
+  EXPECT_EQ(collection_.named("our sign").value(), std::vector<char32_t>{code_point});
+  EXPECT_THAT(collection_.named("their sign").value(), IsEmpty());
+}
+
+// Two computers that keep a sign of the same name most often agree, so that study data can be moved.
+TEST_F(CollectionTest, GivesANameTheSameCodePointEverywhere) {
+  const Collection other(folder_ / "other");
+  EXPECT_EQ(keep(sign_called("our sign")), other.keep(sign_called("our sign")).value());
+  EXPECT_NE(keep(sign_called("their sign")), other.named("our sign").value().front());
+}
+
+TEST_F(CollectionTest, GivesTwoOfOneNameDifferentCodePoints) {
+  const char32_t first = keep(sign_called("a"));
+  const char32_t second = keep(sign_called("a"));
+  EXPECT_NE(first, second);
+  EXPECT_EQ(collection_.named("a").value().size(), 2U);
+}
+
+TEST_F(CollectionTest, KeepsTheCodePointOfWhatIsChanged) {
+  const char32_t code_point = keep(sign_called("before"));
+  EXPECT_EQ(keep(sign_called("after"), code_point), code_point);
+  EXPECT_THAT(code_points(), ElementsAre(code_point));
+  EXPECT_EQ(collection_.find(code_point)->facts.name, "after");
+}
+
+TEST_F(CollectionTest, OrdersByName) {
+  std::vector<char32_t> kept(3);
+  kept[2] = keep(sign_called("c"));
+  kept[0] = keep(sign_called("a"));
+  kept[1] = keep(sign_called("b"));
+  EXPECT_EQ(code_points(), kept);
+}
+
+TEST_F(CollectionTest, DoesNotGiveTheCodePointOfARemovedCharacterToANewOne) {
+  const char32_t code_point = keep(sign_called("a"));
+  EXPECT_TRUE(collection_.remove(code_point));
+  EXPECT_THAT(code_points(), IsEmpty());
+  EXPECT_FALSE(collection_.find(code_point));
+  EXPECT_NE(keep(sign_called("a")), code_point);
+  EXPECT_EQ(collection_.remove(code_point).error().code, base::Errc::not_found);
+}
+
+TEST_F(CollectionTest, LeavesTheFileOfARemovedCharacterForTakingItBack) {
+  const char32_t code_point = keep(sign_called("a"));
+  const fs::path file = collection_.read()->characters.front().file;
+  EXPECT_TRUE(collection_.remove(code_point));
+  fs::rename(file.string() + ".removed", file);
+  EXPECT_EQ(collection_.find(code_point).value(), sign_called("a"));
+}
+
+TEST_F(CollectionTest, RefusesWhatHasNoNameOrNoStrokesOrAForeignCodePoint) {
+  EXPECT_EQ(collection_.keep(sign_called("")).error().where, "the character");
+  OwnCharacter relief = sign_called("relief");
+  relief.strokes.clear();
+  relief.facts.parts.clear();
+  EXPECT_EQ(collection_.keep(relief).error().what, "has no strokes");
+  EXPECT_EQ(collection_.keep(sign_called("a"), U'休').error().code, base::Errc::bad_argument);
+  EXPECT_EQ(collection_.keep(sign_called("a"), kanji::kLastOwn + 1).error().code, base::Errc::bad_argument);
+  EXPECT_FALSE(Collection(fs::path()).keep(sign_called("a")));
+  EXPECT_FALSE(fs::exists(folder_ / "mine"));
+}
+
+TEST_F(CollectionTest, NamesADamagedFileAndReadsTheOthers) {
+  const char32_t code_point = keep(sign_called("a"));
+  const fs::path damaged = collection_.folder() / "U+F0001.nazori";
+  std::ofstream(damaged) << "no character";
+  const auto content = collection_.read();
+  ASSERT_TRUE(content);
+  ASSERT_EQ(content->characters.size(), 1U);
+  EXPECT_EQ(content->characters.front().code_point, code_point);
+  ASSERT_EQ(content->unread.size(), 1U);
+  EXPECT_THAT(content->unread.front().where, testing::HasSubstr(damaged.string()));
+}
+
+TEST_F(CollectionTest, PassesOverFilesOfOtherNames) {
+  const char32_t code_point = keep(sign_called("a"));
+  const fs::path kept = collection_.read()->characters.front().file;
+  for (const char* name :
+       {"U+F000.nazori", "U+f0001.nazori", "U+0F0001.nazori", "U+FFFFE.nazori", "F0001.nazori", "U+F0001.svg",
+        "U+F0001.nazori.journal", "U+F00G1.nazori", "U+4F11.nazori"})
+    fs::copy_file(kept, collection_.folder() / name);
+  EXPECT_THAT(code_points(), ElementsAre(code_point));
+}
+
+TEST_F(CollectionTest, SaysThatItHasChanged) {
+  const auto before = collection_.changed_at();
+  const char32_t code_point = keep(sign_called("a"));
+  // The clock of files moves in steps of a few milliseconds: the past is put far away.
+  const auto past = [this] {
+    fs::last_write_time(collection_.folder(), fs::file_time_type::clock::now() - std::chrono::hours(1));
+    return collection_.changed_at();
+  };
+  EXPECT_NE(collection_.changed_at(), before);
+  auto last = past();
+  EXPECT_EQ(collection_.changed_at(), last);
+  (void)keep(sign_called("b"), code_point);
+  EXPECT_NE(collection_.changed_at(), last);
+  last = past();
+  EXPECT_TRUE(collection_.remove(code_point));
+  EXPECT_NE(collection_.changed_at(), last);
+}
+
+TEST_F(CollectionTest, IsWhereTheVariableSaysOrElseWithTheUsersData) {
+  const nazori::test::EnvironmentVariable data("XDG_DATA_HOME", "/somewhere");
+  {
+    const nazori::test::EnvironmentVariable none("NAZORI_CHARACTERS", nullptr);
+    EXPECT_EQ(Collection::usual_folder(), "/somewhere/nazori/characters");
+  }
+  {
+    const nazori::test::EnvironmentVariable other("NAZORI_CHARACTERS", "/elsewhere");
+    EXPECT_EQ(Collection::usual_folder(), "/elsewhere");
+  }
+  const nazori::test::EnvironmentVariable off("NAZORI_CHARACTERS", "");
+  EXPECT_EQ(Collection::usual_folder(), "");
+}
+
+TEST_F(CollectionTest, JoinsTheDatabase) {
+  const char32_t code_point = keep(sign_called("our sign"));
+  std::ofstream(collection_.folder() / "U+F0001.nazori") << "no character";
+  std::vector<base::Error> unread;
+  const auto database = open_with_own(*kanji::KanjiDatabase::locate(), collection_, &unread);
+  ASSERT_TRUE(database);
+  EXPECT_EQ(unread.size(), 1U);
+  ASSERT_TRUE(database->find(code_point));
+  EXPECT_EQ(database->list(kanji::List::own).size(), 1U);
+  EXPECT_EQ(database->search({.text = "school"}).front().code_point, code_point);
+  EXPECT_TRUE(database->draws(U'休'));
+}
+
+// Lines, as everything that teaches and judges takes them.
+TEST(KanjiCharacter, HasTheCentreLinesThatAreCarved) {
+  const OwnCharacter sign = sign_called("our sign");
+  const kanji::Character character = kanji_character(sign, 0xF0005);
+  EXPECT_EQ(character.code_point, 0xF0005U);
+  ASSERT_EQ(character.strokes.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const kanji::StrokeLine& line = character.strokes[i].line;
+    EXPECT_EQ(line.ending, sign.strokes[i].ending);
+    EXPECT_EQ(line.number_position, sign.strokes[i].number_position);
+    EXPECT_EQ(line.points.front(), sign.strokes[i].points.front().at);
+    EXPECT_EQ(line.points.back(), sign.strokes[i].points.back().at);
+    for (const GroovePoint& point : sign.strokes[i].points) EXPECT_THAT(line.points, Contains(point.at));
+    const auto path = geometry::parse_svg_path(character.strokes[i].path);
+    ASSERT_TRUE(path);
+    EXPECT_EQ(geometry::flatten(*path, 0.05), line.points);
+  }
+}
+
+TEST(KanjiCharacter, SaysWhatIsKnownOfIt) {
+  const kanji::Character character = kanji_character(sign_called("our sign"), 0xF0005);
+  EXPECT_THAT(character.entry.kun_readings, ElementsAre("まなぶ"));
+  EXPECT_THAT(character.entry.on_readings, ElementsAre("ガク"));
+  EXPECT_THAT(character.entry.meanings,
+              ElementsAre(kanji::Meaning{"en", "school sign"}, kanji::Meaning{"en", "our sign"}));
+  EXPECT_EQ(character.entry.radical, 75);
+  EXPECT_THAT(character.entry.stroke_counts, ElementsAre(2));
+  EXPECT_EQ(character.components.element, "");
+  ASSERT_EQ(character.components.children.size(), 1U);
+  EXPECT_EQ(character.components.children.front().element, "木");
+  EXPECT_THAT(character.components.children.front().strokes, ElementsAre(1));
+  EXPECT_EQ(character.components.children.front().first_stroke, 1);
+}
+
+TEST(KanjiCharacter, WithTheNameOfOneLetterHasThatLetterAsItsPart) {
+  const kanji::Character character = kanji_character(sign_called("永"), 0xF0005);
+  ASSERT_EQ(character.components.children.size(), 1U);
+  const kanji::Component& own = character.components.children.front();
+  EXPECT_EQ(own.element, "永");
+  EXPECT_THAT(own.strokes, ElementsAre(0, 1));
+  ASSERT_EQ(own.children.size(), 1U);
+  EXPECT_EQ(own.children.front().element, "木");
+}
+
+}  // namespace
+}  // namespace nazori::author
