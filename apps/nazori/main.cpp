@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "nazori/author/collection.h"
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/ui/program.h"
 
@@ -108,6 +109,7 @@ int main(int argc, char** argv) {
     return kExitFailed;
   }
   setup.database = *database;
+  setup.own_characters = nazori::author::Collection::usual_folder();
 
   nazori::ui::Program program(setup);
   program.show();

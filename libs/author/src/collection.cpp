@@ -31,7 +31,7 @@ constexpr std::string_view kRemovedEnding = ".removed";
 constexpr std::string_view kCodePointMark = "U+";
 
 /// "U+F1A2B.nazori" names a character; anything else in the folder is not ours.
-std::optional<char32_t> code_point_of(const std::string& file_name) {
+std::optional<char32_t> kept_code_point(const std::string& file_name) {
   std::string_view digits = file_name;
   if (!digits.starts_with(kCodePointMark) || !digits.ends_with(kKeptEnding)) return std::nullopt;
   digits.remove_prefix(kCodePointMark.size());
@@ -134,12 +134,17 @@ fs::path Collection::file_of(char32_t code_point) const {
   return folder_ / (kanji::code_point_text(code_point) + std::string(kKeptEnding));
 }
 
+std::optional<char32_t> Collection::code_point_of(const fs::path& file) const {
+  if (folder_.empty() || file.parent_path() != folder_) return std::nullopt;
+  return kept_code_point(file.filename().string());
+}
+
 base::Result<CollectionContent> Collection::read() const {
   CollectionContent content;
   std::error_code refused;
   if (folder_.empty() || !fs::exists(folder_, refused)) return content;
   for (fs::directory_iterator at(folder_, refused), end; !refused && at != end; at.increment(refused)) {
-    const auto code_point = code_point_of(at->path().filename().string());
+    const auto code_point = kept_code_point(at->path().filename().string());
     if (!code_point) continue;
     auto character = load_character(at->path());
     // A file that another program has just taken away is not damaged.
@@ -185,7 +190,7 @@ base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::opti
       // What is removed keeps its code point: learners may have studied it.
       std::string name = at->path().filename().string();
       if (name.ends_with(kRemovedEnding)) name.resize(name.size() - kRemovedEnding.size());
-      if (const auto known = code_point_of(name)) taken.insert(*known);
+      if (const auto known = kept_code_point(name)) taken.insert(*known);
     }
     as = free_code_point(character.facts.name, taken);
     if (!as) return base::fail(Errc::io, "has no room for another character", folder_.string());

@@ -36,8 +36,11 @@ class LearnerTest : public testing::Test {
   }
 
   [[nodiscard]] Learner::Place place() {
-    return {folder_ / "learners", kanji_db(), [this] { return clock_.calendar(); }};
+    return {folder_ / "learners", {kanji_db(), own_characters()}, [this] { return clock_.calendar(); }};
   }
+
+  /// Where characters are kept that a test makes; there is no such folder before.
+  [[nodiscard]] std::filesystem::path own_characters() const { return folder_ / "characters"; }
 
   /// A learner in the UTC zone, as after a restart of the program.
   void open_learner() {

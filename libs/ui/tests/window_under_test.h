@@ -35,6 +35,7 @@ class WindowTest : public testing::Test {
     made.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
     made.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
     made.learners = folder_.filePath(QStringLiteral("learners")).toStdString();
+    made.own_characters = own_characters_.toStdString();
     made.clock = clock_;
     made.draws_tablet = false;
     made.pages = pages_;
@@ -118,6 +119,7 @@ class WindowTest : public testing::Test {
     return all;
   };
   study::Clock clock_;           ///< empty: the computer's
+  QString own_characters_;       ///< folder of own characters; empty: none
   std::vector<MakePage> pages_;  ///< empty: all that are registered
   QTemporaryDir folder_;
   Appearance appearance_;

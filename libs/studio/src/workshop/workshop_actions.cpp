@@ -70,6 +70,11 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
       make("workshop_font", tr("From a &font…"), tr("Find the strokes of a character of a font"), "F");
   clear_relief = make("workshop_clear_relief", tr("Clear the &relief"),
                       tr("Take away everything that was changed by hand; strokes stay"), "Ctrl+Del");
+  keep = make("workshop_keep", tr("&Keep among my characters"),
+              tr("Lists, search, study and worksheets have it then like any other"), "A");
+  remove_kept = make("workshop_remove_kept", tr("Ta&ke out of my characters"),
+                     tr("Lists, search, study and worksheets no longer have it; what you learned stays"),
+                     "Ctrl+Shift+Del");
   details = make("workshop_details", tr("&Name and details"), tr("Type the name, readings and licence"), "D");
   check = make("workshop_check", tr("Chec&k"), tr("Look for mistakes: order, endings, depth, licence"), "K",
                true, Icon::tick);
@@ -94,8 +99,9 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
   add_group(tr("&Stroke"),
             {undo, redo, step_back, finish, nullptr, next_stroke, previous_stroke, next_point, previous_point,
              nullptr, earlier, later, reverse, ending, nullptr, insert, split, join, remove});
-  add_group(tr("&Character"), {start_empty, copy, from_picture, from_font, nullptr, clear_relief, nullptr,
-                               details, check, describe, nullptr, carve, save_copy});
+  add_group(tr("&Character"),
+            {start_empty, copy, from_picture, from_font, nullptr, clear_relief, nullptr, details, check,
+             describe, nullptr, carve, save_copy, nullptr, keep, remove_kept});
   add_group(tr("&Look"), {zoom_in, zoom_out, zoom_whole, nullptr, strokes, panel});
 }
 

@@ -75,6 +75,8 @@ void WorkshopPage::connect_actions() {
   on(actions_->from_picture, [this] { ask_picture(); });
   on(actions_->from_font, [this] { ask_font(); });
   on(actions_->clear_relief, [this] { bench_->clear_relief(); });
+  on(actions_->keep, [this] { keep(); });
+  on(actions_->remove_kept, [this] { remove_kept(); });
   on(actions_->details, [this] {
     if (!actions_->panel->isChecked()) actions_->panel->trigger();
     panel_->focus_name();

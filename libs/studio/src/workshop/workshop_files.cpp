@@ -27,7 +27,7 @@ QString name_of(const QString& path) { return QFileInfo(path).fileName(); }
 }  // namespace
 
 QString WorkshopPage::title() const {
-  if (!file_.isEmpty()) return name_of(file_);
+  if (!file_.isEmpty() && !kept_as()) return name_of(file_);
   return to_text(bench_->character().facts.name);
 }
 
@@ -128,8 +128,8 @@ void WorkshopPage::open(const QString& path) {
     parts().announce(Feedback::good, recovery && recovery->edits > 0
                                          ? tr("Opened %1, with %n changes that were not saved.", nullptr,
                                               static_cast<int>(recovery->edits))
-                                               .arg(name_of(path))
-                                         : tr("Opened %1.").arg(name_of(path)));
+                                               .arg(title())
+                                         : tr("Opened %1.").arg(title()));
     return;
   }
   if (!format) {
@@ -156,13 +156,17 @@ void WorkshopPage::ask_and_open() {
 }
 
 QString WorkshopPage::proposed_name() const {
-  if (!file_.isEmpty()) return QFileInfo(file_).completeBaseName();
+  if (!file_.isEmpty() && !kept_as()) return QFileInfo(file_).completeBaseName();
   const QString name = to_text(bench_->character().facts.name).replace(QLatin1Char('/'), QLatin1Char('-'));
   constexpr int kLongest = 40;
   return name.isEmpty() ? tr("character") : name.left(kLongest);
 }
 
-void WorkshopPage::ask_and_save() { ask_and_write(QStringLiteral("nazori")); }
+void WorkshopPage::ask_and_save() {
+  // A kept character needs no name of a file.
+  if (kept_as()) return keep();
+  ask_and_write(QStringLiteral("nazori"));
+}
 
 void WorkshopPage::ask_and_write(const QString& suffix) {
   const bool is_document = suffix == QLatin1String("nazori");
@@ -206,8 +210,9 @@ void WorkshopPage::write(const QString& path) {
       std::filesystem::remove(unnamed_journal(), ignored);
     }
     file_ = path;
+    if (kept_as()) emit parts().own_characters_changed();
     show_bench();
-    return parts().announce(Feedback::good, tr("Saved %1.").arg(name_of(path)));
+    return parts().announce(Feedback::good, tr("Saved %1.").arg(title()));
   }
   const int side = *format == author::CharacterFormat::strokes ? kClassicSide : bench_->editor().map().size();
   const auto bytes = author::export_character(bench_->character(), *format, side);
@@ -302,6 +307,8 @@ void WorkshopPage::ask_copy() {
   const auto& sheet = parts().practice().sheet();
   if (!may_replace()) return;
   asked_ = sheet ? sheet->character.code_point : parts().preferences().kanji;
+  // An own character is changed itself.
+  if (open_kept(asked_)) return void(asked_ = 0);
   waiting_.reset();
   parts().library().request_characters({asked_});
 }

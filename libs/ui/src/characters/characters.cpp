@@ -17,6 +17,7 @@
 #include "characters/stage_view.h"
 #include "characters/standing_bar.h"
 #include "characters/writing_panel.h"
+#include "nazori/kanji/own_characters.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/dialogs/file_exchange.h"
 #include "nazori/widgets/events/signals.h"
@@ -341,6 +342,12 @@ void Characters::connect_work() {
   connect(&parts(), &WindowParts::show_character, this, [this](char32_t code_point) {
     practice_.look_up(code_point);
     emit wants_to_be_entered();
+  });
+  connect(&parts(), &WindowParts::own_characters_changed, this, [this] {
+    // The tablet shows the character as it is now.
+    const auto& sheet = practice_.sheet();
+    if (sheet && kanji::is_own(sheet->character.code_point))
+      practice_.show(sheet->character.code_point, false);
   });
   connect(files_, &FileExchange::announced, &parts(), &WindowParts::announce);
   connect(files_, &FileExchange::folder_changed, this, [this](const QString& folder) {

@@ -139,6 +139,7 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, practice::Learne
   subscribe(learner_->changed, this, [this] {
     fill_lists();
     model_->refresh_strengths();
+    if (list_ == kanji::List::own) library_->request_list(list_);
   });
   fill_lists();
   fit_tiles();

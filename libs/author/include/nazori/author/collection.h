@@ -69,12 +69,16 @@ class Collection {
   /// The kept characters with a name. @return the errors of read().
   [[nodiscard]] base::Result<std::vector<char32_t>> named(const std::string& name) const;
 
+  /// The file in which a character is or would be kept.
+  [[nodiscard]] std::filesystem::path file_of(char32_t code_point) const;
+  /// What a file of the collection keeps; none for any other file. Does not look at the disk.
+  [[nodiscard]] std::optional<char32_t> code_point_of(const std::filesystem::path& file) const;
+
   /// Changes whenever a character is kept, changed or removed, also by another program; equal where nothing
   /// has happened. Takes microseconds.
   [[nodiscard]] std::filesystem::file_time_type changed_at() const;
 
  private:
-  [[nodiscard]] std::filesystem::path file_of(char32_t code_point) const;
   std::filesystem::path folder_;
 };
 

@@ -19,6 +19,7 @@ class WorkshopActions final : public ActionSet {
   QAction *next_stroke, *previous_stroke, *next_point, *previous_point;
   QAction *earlier, *later, *reverse, *ending, *insert, *split, *join, *remove;
   QAction *start_empty, *copy, *from_picture, *from_font, *clear_relief;
+  QAction *keep, *remove_kept;
   QAction *details, *check, *describe, *carve, *save_copy;
   QAction *zoom_in, *zoom_out, *zoom_whole, *strokes, *panel;
 };

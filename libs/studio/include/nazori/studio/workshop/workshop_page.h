@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "nazori/author/collection.h"
 #include "nazori/author/tracer.h"
 #include "nazori/author/workbench.h"
 #include "nazori/kanji/character.h"
@@ -88,6 +89,13 @@ class WorkshopPage final : public Page {
   void ask_picture();
   void ask_font();
   void ask_copy();
+  [[nodiscard]] author::Collection collection() const;
+  /// The code point under which the document is kept among the learner's characters.
+  [[nodiscard]] std::optional<char32_t> kept_as() const;
+  void keep();
+  void remove_kept();
+  /// Opens a kept character to change it. @return false where it is not kept.
+  bool open_kept(char32_t code_point);
   [[nodiscard]] QString proposed_name() const;
   [[nodiscard]] std::u32string named_character() const;
 
