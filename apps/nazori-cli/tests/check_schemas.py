@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import zlib
 
 from jsonschema import Draft202012Validator
@@ -282,6 +283,16 @@ class Schemas(unittest.TestCase):
         self.answer("author#convert", "author", "convert", "二", "--size", "256", "--output", relief)
         self.assertEqual(len(self.answer("author#trace", "author", "trace", relief)["strokes"]), 2)
         self.answer("author#trace", "author", "trace", relief, "--character", "二")
+
+    def test_characters_that_are_kept(self):
+        file = self.path("a.nazori")
+        self.run_verb("author", "convert", "二", "--output", file)
+        with unittest.mock.patch.dict(os.environ, NAZORI_CHARACTERS=self.path("characters")):
+            (kept,) = self.answer("author#keep", "author", "keep", file)
+            self.answer("author#kept", "author", "kept")
+            self.answer("characters#info", "info", kept["code_point"])
+            self.answer("characters#search", "search", "二")
+            self.answer("author#remove", "author", "remove", kept["code_point"])
 
     def test_sheets_read_back(self):
         pdf, photo = self.path("s.pdf"), self.path("s.png")
