@@ -24,6 +24,12 @@ writes.
 The folder of all learners, for
 .BR study .
 .TP
+.B NAZORI_CHARACTERS
+The folder of a person's own characters.
+Default:
+.I nazori/characters
+in XDG_DATA_HOME; where it is empty, there are none.
+.TP
 .B NAZORI_NOW
 Takes this for the present and goes on from there:
 2026\-01\-01T09:00Z or with +09:00.

@@ -104,8 +104,8 @@ TEST(Manual, TellsOnceWhatEveryVerbTakesAndNamesEveryExitCode) {
 
 TEST(Manual, NamesTheEnvironmentAndShowsExamples) {
   const std::string environment = section(page(), ".SH ENVIRONMENT");
-  for (const char* name : {"NAZORI_DATA", "NAZORI_LEARNERS", "NAZORI_NOW", "XDG_DATA_HOME", "XDG_DATA_DIRS",
-                           "XDG_CACHE_HOME", "SOURCE_DATE_EPOCH"}) {
+  for (const char* name : {"NAZORI_DATA", "NAZORI_LEARNERS", "NAZORI_CHARACTERS", "NAZORI_NOW",
+                           "XDG_DATA_HOME", "XDG_DATA_DIRS", "XDG_CACHE_HOME", "SOURCE_DATE_EPOCH"}) {
     EXPECT_THAT(environment, HasSubstr(name));
   }
   EXPECT_THAT(section(page(), ".SH EXAMPLES"),
