@@ -45,7 +45,8 @@ endfunction()
 # nazori_test_parts(NAME COUNT WITHOUT PROPERTIES): the tests of nazori_NAME_tests in COUNT processes (empty: 2), but for
 # those of the filter WITHOUT. The start of a sanitized program takes longer than most tests. COUNT "2/8": with the
 # address sanitizer two of eight parts run, always the same (NAZORI_SANITIZE_ALL: all of them), so each eighth test and
-# the next one.
+# the next one. A part whose program passed before is not run again (tools/test-once); what the tests read of the source
+# tree are the room's own folder, data and, named in ARGN, other folders.
 function(nazori_test_parts name count without properties)
   if(NOT count)
     set(count 2)
@@ -58,9 +59,15 @@ function(nazori_test_parts name count without properties)
       set(run ${count})
     endif()
   endif()
+  set(trees "")
+  file(RELATIVE_PATH here "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  foreach(tree ${here} data ${ARGN})
+    list(APPEND trees --tree ${tree})
+  endforeach()
   math(EXPR last "${run} - 1")
   foreach(part RANGE 0 ${last})
-    add_test(NAME ${name}.part_${part} COMMAND nazori_${name}_tests --gtest_brief=1 "--gtest_filter=*-${without}")
+    add_test(NAME ${name}.part_${part} COMMAND "${CMAKE_SOURCE_DIR}/tools/test-once" "${CMAKE_BINARY_DIR}" nazori_${name}_tests ${trees} --
+      "$<TARGET_FILE:nazori_${name}_tests>" --gtest_brief=1 "--gtest_filter=*-${without}")
     # A part runs hundreds of tests, on a busy machine for longer than any one of them may.
     set_tests_properties(${name}.part_${part} PROPERTIES ${properties} TIMEOUT 1200)
     set_property(TEST ${name}.part_${part} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=${count} GTEST_SHARD_INDEX=${part})
@@ -203,7 +210,16 @@ function(nazori_module name)
       list(JOIN left_out ":" left_out)
       nazori_isolated_suites(isolated shared "${m_ISOLATED_TESTS}" ${m_TESTS})
       if(shared)
-        nazori_test_parts(${name} "${m_SANITIZED_PARTS}" "${isolated}:${left_out}" "${properties}")
+        set(read "")
+        foreach(path ${m_TEST_PATHS})
+          # Stand-ins of devices are loaded at run time from the build folder.
+          if(path MATCHES "/standins$")
+            list(APPEND read libs/devices)
+          elseif(path MATCHES "^${CMAKE_SOURCE_DIR}/(.+)")
+            list(APPEND read "${CMAKE_MATCH_1}")
+          endif()
+        endforeach()
+        nazori_test_parts(${name} "${m_SANITIZED_PARTS}" "${isolated}:${left_out}" "${properties}" ${read})
       endif()
       set(filter TEST_FILTER "${isolated}-${left_out}")
     endif()

@@ -6,11 +6,12 @@
 /// of a checkout would keep a compiler cache from recognising the sources in another folder.
 namespace nazori::test_paths {
 
-extern const char* const kFixtures;      ///< tests/fixtures of the module
-extern const char* const kStandins;      ///< folder of the stand-ins for the makers' libraries
-extern const char* const kCommandLine;   ///< the program nazori-cli
-extern const char* const kSources;       ///< the source tree
-extern const char* const kDocs;          ///< docs/ of the source tree
-extern const char* const kTranslations;  ///< folder of the window's translations
+extern const char* const kFixtures;         ///< tests/fixtures of the module
+extern const char* const kCarvingFixtures;  ///< tests/fixtures of the module carving
+extern const char* const kStandins;         ///< folder of the stand-ins for the makers' libraries
+extern const char* const kCommandLine;      ///< the program nazori-cli
+extern const char* const kSources;          ///< the source tree
+extern const char* const kDocs;             ///< docs/ of the source tree
+extern const char* const kTranslations;     ///< folder of the window's translations
 
 }  // namespace nazori::test_paths

@@ -14,7 +14,7 @@ namespace nazori::author::test {
 
 /// The strokes of a character of carving's fixture as KanjiVG draws them.
 inline std::vector<kanji::StrokeLine> kanjivg(const std::string& character) {
-  std::ifstream file(std::string(test_paths::kSources) + "/libs/carving/tests/fixtures/kanjivg.tsv");
+  std::ifstream file(std::string(test_paths::kCarvingFixtures) + "/kanjivg.tsv");
   std::vector<kanji::StrokeLine> strokes;
   for (std::string line; std::getline(file, line);) {
     std::istringstream fields(line);
