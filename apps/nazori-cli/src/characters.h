@@ -18,6 +18,9 @@ using kanji::CharacterName;
 /// the learner's own characters. Those that are damaged are left out: `nazori-cli author kept` names them.
 [[nodiscard]] base::Result<kanji::KanjiDatabase> open_database(const std::string& path);
 
+/// A character in text for people: itself, or the code point of one that somebody made, which no font has.
+[[nodiscard]] inline std::string letter(char32_t character) { return CharacterName{character, {}}.text(); }
+
 /// The characters that the database has.
 struct FoundCharacters {
   std::vector<kanji::Character> found;

@@ -11,7 +11,6 @@
 
 #include "characters.h"
 #include "json_answers.h"
-#include "nazori/base/utf8.h"
 #include "nazori/exchange/sheets.h"
 #include "nazori/scan/marked_picture.h"
 #include "nazori/scan/sheet_reader.h"
@@ -31,10 +30,10 @@ struct GradeSheetSettings {
 };
 
 std::string line_of(std::size_t number, const scan::CellReading& cell) {
-  std::string line = fmt::format("{:>5}  {}  ", number, base::encode_utf8(cell.box.character));
+  std::string line = fmt::format("{:>5}  {}  ", number, letter(cell.box.character));
   if (cell.state == scan::CellState::illegible) {
     line += "not legible as this character";
-    if (cell.looks_like) line += fmt::format(", looks like {}", base::encode_utf8(*cell.looks_like));
+    if (cell.looks_like) line += fmt::format(", looks like {}", letter(*cell.looks_like));
     return line + "\n";
   }
   line += "legible";

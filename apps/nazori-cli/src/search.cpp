@@ -85,7 +85,7 @@ std::string table(std::span<const kanji::Match> found) {
   std::string text;
   for (const kanji::Match& match : found) {
     const kanji::Summary& one = match.summary;
-    std::string line = pad(base::encode_utf8(one.code_point), 4) +
+    std::string line = pad(letter(one.code_point), 4) +
                        fmt::format("{:2} stroke{}  ", one.strokes, one.strokes == 1 ? " " : "s") +
                        pad(one.grade ? fmt::format("grade {}", *one.grade) : "", 10) +
                        pad(with_middle_dot(one.reading), reading_width + 2) + one.meaning +

@@ -6,8 +6,8 @@
 #include <memory>
 #include <set>
 
+#include "characters.h"
 #include "nazori/base/file.h"
-#include "nazori/base/utf8.h"
 #include "nazori/exchange/cards.h"
 #include "nazori/practice/learning_choices.h"
 #include "options.h"
@@ -127,8 +127,7 @@ int list_leeches(Console& console, const StudyOptions& options) {
   for (const auto& [character, card] : learner->cards()) {
     if (!card.leech) continue;
     json.push_back(exchange::to_json(card, *learner));
-    lines +=
-        fmt::format("{}  forgotten {}\n", base::encode_utf8(character), counted(card.memory.lapses, "time"));
+    lines += fmt::format("{}  forgotten {}\n", letter(character), counted(card.memory.lapses, "time"));
   }
   console.print(options.json ? to_text(json) : lines);
   return json.empty() ? kNo : kDone;

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "nazori/base/utf8.h"
+#include "characters.h"
 #include "nazori/exchange/cards.h"
 #include "study_session.h"
 #include "text_layout.h"
@@ -18,7 +18,7 @@ using study::TaskKind;
 std::string characters_line(const DayPlan& plan, TaskKind kind) {
   std::vector<std::string> characters;
   for (const auto& task : plan.now) {
-    if (task.kind == kind) characters.push_back(base::encode_utf8(task.character));
+    if (task.kind == kind) characters.push_back(letter(task.character));
   }
   return characters.empty() ? std::string() : "  " + flow(characters, " ", 14, text_width());
 }
@@ -89,8 +89,7 @@ int next(Console& console, const StudyOptions& options) {
     console.print(to_text(exchange::next_task(task, ratings)));
     return kDone;
   }
-  console.print(
-      fmt::format("{}  {}\n{}\n", base::encode_utf8(task.character), study::name_of(task.stage), line));
+  console.print(fmt::format("{}  {}\n{}\n", letter(task.character), study::name_of(task.stage), line));
   return kDone;
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "characters.h"
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
 #include "nazori/study/profiles.h"
@@ -67,7 +68,7 @@ int show_lists(Console& console, const ListsSettings& settings) {
     if (!members && members.error().code != base::Errc::not_found) return console.refuse(members.error());
     if (!members) return console.deny(members.error());
     std::vector<std::string> characters;
-    for (const char32_t one : *members) characters.push_back(base::encode_utf8(one));
+    for (const char32_t one : *members) characters.push_back(letter(one));
     console.print(settings.options.json ? to_text(Json(characters))
                                         : flow(characters, " ", 0, text_width()) + "\n");
     return kDone;

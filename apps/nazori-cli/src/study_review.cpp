@@ -5,6 +5,7 @@
 #include <charconv>
 #include <memory>
 
+#include "characters.h"
 #include "nazori/base/utf8.h"
 #include "nazori/exchange/cards.h"
 #include "options.h"
@@ -96,12 +97,12 @@ int review(Console& console, const ReviewSettings& settings) {
   if (settings.options.json) {
     console.print(to_text(exchange::reviewed(*card, writing, learner)));
   } else if (writing.stage == Stage::memory) {
-    console.print(fmt::format("{}  {} (suggested: {}), comes back {}{}\n", base::encode_utf8(character),
+    console.print(fmt::format("{}  {} (suggested: {}), comes back {}{}\n", letter(character),
                               study::name_of(writing.rating), study::name_of(writing.proposed),
                               wait_text(*card, learner.now(), learner.today()),
                               card->leech ? "; forgotten too often, taken out of reviews" : ""));
   } else {
-    console.print(fmt::format("{}  practised ({}), next: {}\n", base::encode_utf8(character), settings.stage,
+    console.print(fmt::format("{}  practised ({}), next: {}\n", letter(character), settings.stage,
                               study::name_of(card->next_stage)));
   }
   return kDone;

@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "nazori/base/utf8.h"
+#include "characters.h"
 #include "nazori/exchange/statistics.h"
 #include "nazori/study/statistics.h"
 #include "options.h"
@@ -37,8 +37,8 @@ std::string statistics_text(const Statistics& statistics) {
   for (const auto& day : statistics.forecast) text += fmt::format(" {}", day.reviews);
   text += "\n";
   for (const auto& one : statistics.hard_strokes) {
-    text += fmt::format("hard        {} stroke {}: {} of {}", base::encode_utf8(one.character),
-                        one.stroke + 1, one.mistakes, counted(one.writings, "writing"));
+    text += fmt::format("hard        {} stroke {}: {} of {}", letter(one.character), one.stroke + 1,
+                        one.mistakes, counted(one.writings, "writing"));
     for (const auto& [kind, count] : one.kinds) text += fmt::format(", {} {}", kanji::name_of(kind), count);
     text += "\n";
   }

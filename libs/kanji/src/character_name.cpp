@@ -10,6 +10,7 @@
 
 #include "nazori/base/utf8.h"
 #include "nazori/kanji/kana.h"
+#include "nazori/kanji/own_characters.h"
 
 namespace nazori::kanji {
 namespace {
@@ -54,8 +55,9 @@ std::optional<CharacterName> parse_variant(std::u32string_view text) {
 }  // namespace
 
 std::string CharacterName::text() const {
-  std::string name =
-      code_point <= 0x20 || code_point == 0x7F ? code_point_text(code_point) : base::encode_utf8(code_point);
+  // No font of a terminal has own characters.
+  const bool has_letter = code_point > 0x20 && code_point != 0x7F && !is_own(code_point);
+  std::string name = has_letter ? base::encode_utf8(code_point) : code_point_text(code_point);
   if (!variant.empty()) name += "-" + variant;
   return name;
 }

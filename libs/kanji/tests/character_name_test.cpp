@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "nazori/kanji/kana.h"
+#include "nazori/kanji/own_characters.h"
 
 namespace nazori::kanji {
 namespace {
@@ -85,6 +86,14 @@ TEST(Kana, AScriptIsTheBlockOfItsCharacters) {
   EXPECT_EQ(script_of(U'ａ'), Script::latin);
   EXPECT_EQ(script_of(U'休'), Script::other);
   EXPECT_EQ(script_of(0x250), Script::other);
+}
+
+TEST(Names, OfOwnCharactersAreTheirCodePoints) {
+  EXPECT_EQ((CharacterName{kFirstOwn, ""}).text(), "U+F0000");
+  EXPECT_EQ((CharacterName{kLastOwn, ""}).text(), "U+FFFFD");
+  EXPECT_EQ((CharacterName{kFirstOwn - 1, ""}).text(), "\xF3\xAF\xBF\xBF");
+  const std::string named[] = {"U+F0000"};
+  EXPECT_EQ(parse_characters(named).value().front().code_point, kFirstOwn);
 }
 
 }  // namespace

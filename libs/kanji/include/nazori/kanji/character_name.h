@@ -15,7 +15,7 @@ struct CharacterName {
   char32_t code_point = 0;
   std::string variant;  ///< suffix of a variant form, usually empty
 
-  /// "休", "休-Kaisho".
+  /// "休", "休-Kaisho"; "U+F1A2B" for a character that somebody made, which no font has.
   [[nodiscard]] std::string text() const;
   /// text() as the name of a file; "U+002F" for characters that a file name cannot contain.
   [[nodiscard]] std::string file_name() const;
