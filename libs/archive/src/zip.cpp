@@ -100,6 +100,7 @@ base::Result<std::vector<ZipMember>> read_zip(std::span<const std::uint8_t> byte
     const char* const name = archive_entry_pathname_utf8(entry);
     // Without a UTF-8 locale, libarchive cannot give names that are not ASCII: nobody asks for such members.
     if (name == nullptr || archive_entry_filetype(entry) != AE_IFREG) continue;
+    if (!limits.only.empty() && std::ranges::find(limits.only, name) == limits.only.end()) continue;
     ZipMember member{name, {}};
     const auto same = [&member](const ZipMember& other) { return other.name == member.name; };
     if (std::ranges::any_of(members, same)) return damaged("there are two members of one name", member.name);

@@ -34,6 +34,15 @@ TEST(Zip, WhatIsWrittenIsRead) {
   EXPECT_TRUE((*members)[2].content.empty());
 }
 
+TEST(Zip, OnlyTheWantedMembersAreUnpacked) {
+  const auto bytes = zip_of({{"a", "1"}, {"large", std::string(1000, 'x')}, {"b", "2"}});
+  const auto members = read_zip(bytes, {.bytes = 10, .only = {"b", "missing", "a"}});
+  ASSERT_TRUE(members) << base::to_line(members.error());
+  ASSERT_EQ(members->size(), 2U);
+  EXPECT_EQ((*members)[0].name, "a");
+  EXPECT_EQ(text((*members)[1]), "2");
+}
+
 TEST(Zip, TheSameFilesAreTheSameBytes) {
   EXPECT_EQ(zip_of({{"a", "1"}, {"b", "2"}}), zip_of({{"a", "1"}, {"b", "2"}}));
   EXPECT_NE(zip_of({{"a", "1"}, {"b", "2"}}), zip_of({{"a", "1"}, {"b", "3"}}));

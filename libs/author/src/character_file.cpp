@@ -106,9 +106,11 @@ base::Result<std::vector<std::uint8_t>> to_bytes(const OwnCharacter& character) 
   return zip.finish();
 }
 
-base::Result<OwnCharacter> parse_character(std::span<const std::uint8_t> bytes) {
+base::Result<OwnCharacter> parse_character(std::span<const std::uint8_t> bytes, FileParts parts) {
   if (bytes.size() > kLargestFile) return base::fail(Errc::parse, "is too large");
-  const auto members = archive::read_zip(bytes, {.members = 50, .bytes = kLargestUnpacked});
+  archive::ZipLimits limits{.members = 50, .bytes = kLargestUnpacked};
+  if (parts == FileParts::without_relief) limits.only = {std::string(kMeta), std::string(kStrokes)};
+  const auto members = archive::read_zip(bytes, limits);
   if (!members) return tl::unexpected(members.error());
   const auto find = [&members](std::string_view name) {
     const auto at = std::ranges::find(*members, name, &archive::ZipMember::name);
@@ -144,10 +146,10 @@ base::Result<void> save_character(const OwnCharacter& character, const std::file
   return base::write_file(path, *bytes);
 }
 
-base::Result<OwnCharacter> load_character(const std::filesystem::path& path) {
+base::Result<OwnCharacter> load_character(const std::filesystem::path& path, FileParts parts) {
   const auto bytes = base::read_file(path, kLargestFile);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto character = parse_character(*bytes);
+  auto character = parse_character(*bytes, parts);
   if (!character) return in_member(std::move(character).error(), path.string());
   return character;
 }

@@ -146,7 +146,7 @@ base::Result<CollectionContent> Collection::read() const {
   for (fs::directory_iterator at(folder_, refused), end; !refused && at != end; at.increment(refused)) {
     const auto code_point = kept_code_point(at->path().filename().string());
     if (!code_point) continue;
-    auto character = load_character(at->path());
+    auto character = load_character(at->path(), FileParts::without_relief);
     // A file that another program has just taken away is not damaged.
     if (!character && character.error().code == Errc::not_found) continue;
     if (character && character->strokes.empty())

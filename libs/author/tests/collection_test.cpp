@@ -93,6 +93,18 @@ TEST_F(CollectionTest, GivesTwoOfOneNameDifferentCodePoints) {
   EXPECT_EQ(collection_.named("a").value().size(), 2U);
 }
 
+TEST_F(CollectionTest, ReadsTheReliefOfOneButNotOfAll) {
+  OwnCharacter sign = sign_called("our sign");
+  const char32_t plain = keep(sign);
+  sign.hand.size = 16;
+  sign.hand.heights.assign(256, -0.25F);
+  EXPECT_EQ(keep(sign, plain), plain);
+  EXPECT_EQ(collection_.find(plain).value(), sign);
+  const auto content = collection_.read();
+  ASSERT_TRUE(content);
+  EXPECT_EQ(content->characters.front().character, sign_called("our sign"));
+}
+
 TEST_F(CollectionTest, KeepsTheCodePointOfWhatIsChanged) {
   const char32_t code_point = keep(sign_called("before"));
   EXPECT_EQ(keep(sign_called("after"), code_point), code_point);

@@ -50,9 +50,11 @@ class ZipWriter {
 struct ZipLimits {
   std::size_t members = 100;
   std::size_t bytes = std::size_t{64} << 20;  ///< of all members together, unpacked
+  std::vector<std::string> only = {};         ///< names of the members that are wanted; empty: all
 };
 
-/// Unpacks a ZIP in memory. Folders are left out, and members whose names are not ASCII may be.
+/// Unpacks a ZIP in memory. Folders and what is not wanted are left out, and members whose names are not
+/// ASCII may be.
 /// @return Errc::parse for what is not a ZIP, is damaged (a member's checksum is verified), is encrypted, has
 /// two members of one name, or exceeds a limit. Thread-safe: yes.
 [[nodiscard]] base::Result<std::vector<ZipMember>> read_zip(std::span<const std::uint8_t> bytes,

@@ -19,16 +19,24 @@ namespace nazori::author {
 inline constexpr std::size_t kLargestFile = std::size_t{64} << 20;
 inline constexpr std::size_t kLargestUnpacked = std::size_t{300} << 20;
 
+/// What of a document is read.
+enum class FileParts : std::uint8_t {
+  all,
+  without_relief,  ///< no hand's layer, which may be most of the file
+};
+
 /// A character as the bytes of a .nazori file (docs/file-formats.md). The same character gives the same
 /// bytes, and reading them gives the same character, to the last bit.
 /// @return the errors of validate().
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> to_bytes(const OwnCharacter& character);
 /// @return Errc::parse for what is not such a file, is damaged or exceeds a limit; Errc::schema for a newer
 /// version. Members that are not known are passed over.
-[[nodiscard]] base::Result<OwnCharacter> parse_character(std::span<const std::uint8_t> bytes);
+[[nodiscard]] base::Result<OwnCharacter> parse_character(std::span<const std::uint8_t> bytes,
+                                                         FileParts parts = FileParts::all);
 [[nodiscard]] base::Result<void> save_character(const OwnCharacter& character,
                                                 const std::filesystem::path& path);
-[[nodiscard]] base::Result<OwnCharacter> load_character(const std::filesystem::path& path);
+[[nodiscard]] base::Result<OwnCharacter> load_character(const std::filesystem::path& path,
+                                                        FileParts parts = FileParts::all);
 
 /// The strokes, parts and numbers as an SVG in the manner of KanjiVG, with the groove in attributes of its
 /// own: parse_strokes_svg() reads back the same strokes and parts.

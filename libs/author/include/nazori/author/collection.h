@@ -19,7 +19,7 @@ namespace nazori::author {
 /// one letter counts as a part, so that an own 永 is found by 永.
 [[nodiscard]] kanji::Character kanji_character(const OwnCharacter& character, char32_t code_point);
 
-/// A character of a collection.
+/// A character of a collection, without the hand's layer.
 struct KeptCharacter {
   char32_t code_point = 0;  ///< kanji::is_own()
   std::filesystem::path file;
@@ -51,7 +51,7 @@ class Collection {
   /// @return Errc::io where the folder cannot be read.
   [[nodiscard]] base::Result<CollectionContent> read() const;
 
-  /// One character. @return Errc::not_found; the errors of load_character().
+  /// One character with all of it. @return Errc::not_found; the errors of load_character().
   [[nodiscard]] base::Result<OwnCharacter> find(char32_t code_point) const;
 
   /// Keeps a character. @param as  the code point of a kept character that it replaces; none: it is a new
