@@ -57,6 +57,20 @@ Character club_sign() {
   return sign;
 }
 
+Query text(const std::string& typed) {
+  Query query;
+  query.text = typed;
+  return query;
+}
+template <class Value>
+Query with(Value Query::*condition, Value value) {
+  Query query;
+  query.*condition = std::move(value);
+  return query;
+}
+Query part(const std::string& element) { return with(&Query::parts, std::vector<std::string>{element}); }
+Query strokes(int count) { return with(&Query::strokes, std::optional(count)); }
+
 KanjiDatabase with_signs() {
   auto opened =
       KanjiDatabase::open(published_database_file(), std::vector<Character>{school_sign(), club_sign()});
@@ -105,38 +119,39 @@ TEST(OwnCharacters, StandInListsWithReadingMeaningAndStrokes) {
 TEST(OwnCharacters, AreFoundByReadingMeaningPartRadicalAndThemselves) {
   const KanjiDatabase database = with_signs();
   const auto finds = [&database](Query query) { return found(database, std::move(query)); };
-  EXPECT_THAT(finds({.text = "まなびや"}), Contains(kSchoolSign));
-  EXPECT_THAT(finds({.text = "manabiya"}), Contains(kSchoolSign));
-  EXPECT_THAT(finds({.text = "クラ"}), Contains(kClubSign));
-  EXPECT_EQ(finds({.text = "zebra"}).front(), kSchoolSign);
-  EXPECT_THAT(finds({.text = "house"}), Contains(kSchoolSign));
-  EXPECT_EQ(finds({.text = base::encode_utf8(kClubSign)}), (std::u32string{kClubSign}));
-  EXPECT_THAT(finds({.radical = 9}), Contains(kSchoolSign));
-  EXPECT_THAT(finds({.parts = {"木"}}), Contains(kSchoolSign));
+  EXPECT_THAT(finds(text("まなびや")), Contains(kSchoolSign));
+  EXPECT_THAT(finds(text("manabiya")), Contains(kSchoolSign));
+  EXPECT_THAT(finds(text("クラ")), Contains(kClubSign));
+  EXPECT_EQ(finds(text("zebra")).front(), kSchoolSign);
+  EXPECT_THAT(finds(text("house")), Contains(kSchoolSign));
+  EXPECT_EQ(finds(text(base::encode_utf8(kClubSign))), (std::u32string{kClubSign}));
+  EXPECT_THAT(finds(with(&Query::radical, std::optional(9))), Contains(kSchoolSign));
+  EXPECT_THAT(finds(part("木")), Contains(kSchoolSign));
   EXPECT_THAT(characters(database.containing("木", 10'000)), Contains(kSchoolSign));
-  EXPECT_THAT(finds({.strokes = 1}), Contains(kClubSign));
-  EXPECT_THAT(finds({.strokes = 1}), testing::Not(Contains(kSchoolSign)));
-  EXPECT_THAT(finds({.grade = 1}), testing::Not(Contains(kSchoolSign)));
+  EXPECT_THAT(finds(strokes(1)), Contains(kClubSign));
+  EXPECT_THAT(finds(strokes(1)), testing::Not(Contains(kSchoolSign)));
+  EXPECT_THAT(finds(with(&Query::grade, std::optional(1))), testing::Not(Contains(kSchoolSign)));
   EXPECT_FALSE(database.trouble());
 }
 
 TEST(OwnCharacters, SayWhyTheyWereFound) {
   const KanjiDatabase database = with_signs();
-  const auto matches = database.matches({.text = "our house"});
+  const auto matches = database.matches(text("our house"));
   ASSERT_FALSE(matches.empty());
   EXPECT_EQ(matches.front().summary.code_point, kSchoolSign);
   EXPECT_EQ(matches.front().reason, Reason::meaning);
   EXPECT_EQ(matches.front().text, "our house");
-  const auto read = database.matches({.text = "くらぶ"});
+  const auto read = database.matches(text("くらぶ"));
   ASSERT_FALSE(read.empty());
   EXPECT_EQ(read.back().text, "クラブ");
 }
 
 TEST(OwnCharacters, ChangeNothingThatIsFoundOfTheOthers) {
   const KanjiDatabase database = with_signs();
-  for (Query query :
-       {Query{.text = "やすむ"}, Query{.text = "rest"}, Query{.text = "kyuu"}, Query{.grade = 3},
-        Query{.parts = {"木"}}, Query{.text = "休日"}, Query{.strokes = 2}, Query{.skip = "1-2-4"}}) {
+  const Query queries[] = {
+      text("やすむ"), text("rest"), text("kyuu"), with(&Query::grade, std::optional(3)),
+      part("木"),     text("休日"), strokes(2),   with(&Query::skip, std::string("1-2-4"))};
+  for (Query query : queries) {
     query.limit = 10'000;
     std::u32string now = characters(database.search(query));
     std::erase_if(now, is_own);
