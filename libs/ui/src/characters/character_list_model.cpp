@@ -4,6 +4,7 @@
 #include "characters/search_words.h"
 #include "nazori/widgets/charts/study_charts.h"
 #include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/own_names.h"
 
 namespace nazori::ui {
 
@@ -78,7 +79,7 @@ QVariant CharacterListModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       return describe(index.row(), QStringLiteral(" · "));
     case Qt::AccessibleTextRole:
-      return describe(index.row(), QStringLiteral(", "));
+      return spoken_text(describe(index.row(), QStringLiteral(", ")));
     case kCodePointRole:
       return static_cast<uint>(summary(index.row()).code_point);
     case kStrengthRole:

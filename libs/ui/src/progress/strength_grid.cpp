@@ -8,6 +8,7 @@
 #include "nazori/widgets/charts/role_colours.h"
 #include "nazori/widgets/charts/study_charts.h"
 #include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/own_names.h"
 
 namespace nazori::ui {
 
@@ -46,8 +47,9 @@ QVariant StrengthModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return to_text(state.character);
     case Qt::ToolTipRole:
-    case Qt::AccessibleTextRole:
       return words(state);
+    case Qt::AccessibleTextRole:
+      return spoken_text(words(state));
     case kStrengthRole:
       return static_cast<int>(state.strength);
     default:

@@ -11,6 +11,7 @@
 #include "nazori/widgets/controls/spoken_line.h"
 #include "nazori/widgets/look/icons.h"
 #include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/own_names.h"
 
 namespace nazori::ui {
 namespace {
@@ -54,15 +55,16 @@ void FeedbackLine::respond(Feedback kind, const QString& sentence) {
 }
 
 void FeedbackLine::speak(const QString& sentence) {
-  text_->setAccessibleName(sentence);
-  setAccessibleDescription(sentence);
-  if (!sentence.isEmpty()) ++times_spoken_;
-  spoken_->speak(kind_ == Feedback::hint ? Urgency::queued : Urgency::at_once, sentence);
+  const QString words = spoken_text(sentence);
+  text_->setAccessibleName(words);
+  setAccessibleDescription(words);
+  if (!words.isEmpty()) ++times_spoken_;
+  spoken_->speak(kind_ == Feedback::hint ? Urgency::queued : Urgency::at_once, words);
 }
 
 void FeedbackLine::speak_unseen(const QString& sentence) {
   ++times_spoken_;
-  spoken_->speak(Urgency::queued, sentence);
+  spoken_->speak(Urgency::queued, spoken_text(sentence));
 }
 
 QString FeedbackLine::sentence() const { return text_->text(); }
