@@ -29,12 +29,12 @@ LearnerStore learner_with_notes() {
   return store;
 }
 
-TEST(ReadyLists, AreTheSchoolYearsNamesKanaAndOldLevels) {
+TEST(ReadyLists, AreTheSchoolYearsNamesKanaOldLevelsAndOwnCharacters) {
   std::vector<std::string> ids;
   for (const ReadyList& one : ready_lists()) ids.push_back(one.id);
   EXPECT_THAT(ids, ElementsAre("grade-1", "grade-2", "grade-3", "grade-4", "grade-5", "grade-6", "secondary",
                                "jinmeiyou", "hiragana", "katakana", "old-jlpt-4", "old-jlpt-3", "old-jlpt-2",
-                               "old-jlpt-1"));
+                               "old-jlpt-1", "own"));
   EXPECT_EQ(ready_lists()[0].name, "grade 1");
   EXPECT_EQ(ready_lists()[10].name, "old JLPT level 4 (before 2010)");
 }
