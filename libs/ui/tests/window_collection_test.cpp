@@ -133,7 +133,8 @@ TEST_F(CollectionWindow, AKeptCharacterIsOpenedChangedAndSavedInItsPlace) {
 TEST_F(CollectionWindow, AKeptCharacterIsTakenOutAndStaysInTheWorkshop) {
   const char32_t code_point = collection().keep(sign("our sign")).value();
   press(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(feedback(), QStringLiteral("This is not one of your kept characters. Copy one of them first."));
+  EXPECT_EQ(feedback(),
+            QStringLiteral("This is not one of your kept characters. Open one of them with C first."));
   show(code_point);
   press(Qt::Key_2, Qt::AltModifier);
   press(Qt::Key_C);

@@ -72,7 +72,7 @@ void WorkshopPage::remove_kept() {
   const auto place = kept_as();
   if (!place)
     return parts().respond(Feedback::hint,
-                           tr("This is not one of your kept characters. Copy one of them first."));
+                           tr("This is not one of your kept characters. Open one of them with C first."));
   const QString name = to_text(bench_->character().facts.name);
   QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),
                   tr("Take “%1” out of your characters? What you learned of it stays.").arg(name),

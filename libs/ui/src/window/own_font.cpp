@@ -9,20 +9,25 @@
 
 #include "nazori/author/character_font.h"
 #include "nazori/author/collection.h"
+#include "nazori/widgets/words/kanji_text.h"
+#include "nazori/widgets/words/own_names.h"
 
 namespace nazori::ui {
 namespace {
 
-/// Empty where there are no own characters. What cannot be read is left out: the page for characters says so.
-QByteArray font_of(const std::filesystem::path& folder) {
+/// Without a font where there are no own characters. What cannot be read is left out.
+OwnFont::Made font_of(const std::filesystem::path& folder) {
+  OwnFont::Made made;
   auto content = author::Collection(folder).read();
-  if (!content || content->characters.empty()) return {};
+  if (!content || content->characters.empty()) return made;
   std::vector<author::FontGlyph> glyphs;
-  for (author::KeptCharacter& kept : content->characters)
+  for (author::KeptCharacter& kept : content->characters) {
+    made.names.emplace(kept.code_point, to_text(kept.character.facts.name));
     glyphs.push_back({kept.code_point, std::move(kept.character.strokes), kept.character.facts.name});
-  const auto font = author::character_font(glyphs, OwnFont::kFamily);
-  if (!font) return {};
-  return {reinterpret_cast<const char*>(font->data()), static_cast<qsizetype>(font->size())};
+  }
+  if (const auto font = author::character_font(glyphs, OwnFont::kFamily))
+    made.font = {reinterpret_cast<const char*>(font->data()), static_cast<qsizetype>(font->size())};
+  return made;
 }
 
 }  // namespace
@@ -32,7 +37,7 @@ OwnFont::OwnFont(base::Inbox& inbox, std::filesystem::path folder, QObject* pare
       folder_(std::move(folder)),
       maker_(
           "own font", inbox, [](const std::filesystem::path& from, const auto&) { return font_of(from); },
-          [this](const QByteArray& font) { use(font); }) {
+          [this](const Made& made) { use(made); }) {
   if (!folder_.empty()) refresh();
 }
 
@@ -44,7 +49,9 @@ void OwnFont::refresh() {
   if (!folder_.empty()) maker_.request(folder_);
 }
 
-void OwnFont::use(const QByteArray& font) {
+void OwnFont::use(const Made& made) {
+  set_own_names(made.names);
+  const QByteArray& font = made.font;
   if (font.isEmpty() && id_ < 0) return;
   if (id_ >= 0) QFontDatabase::removeApplicationFont(id_);
   id_ = font.isEmpty() ? -1 : QFontDatabase::addApplicationFontFromData(font);
