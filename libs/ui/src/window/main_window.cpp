@@ -33,6 +33,7 @@
 #include "window/actions.h"
 #include "window/back_ends.h"
 #include "window/main_window_inside.h"
+#include "window/own_font.h"
 #include "window/page_rail.h"
 #include "window/spoken_actions.h"
 #include "window/tool_bar.h"
@@ -156,6 +157,8 @@ MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& lo
       appearance(look),
       parts(owner, setup.settings_file,
             {setup.learners, {setup.database, setup.own_characters}, setup.clock}) {
+  auto* own_font = new OwnFont(parts.inbox(), setup.own_characters, &owner);
+  QObject::connect(&parts, &WindowParts::own_characters_changed, own_font, &OwnFont::refresh);
   parts.set_back_ends(setup.back_ends ? setup.back_ends() : registered_back_ends(parts.settings_file()));
   save_timer.setSingleShot(true);
   save_timer.setInterval(600);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "nazori/carving/groove.h"
+#include "nazori/geometry/point.h"
+
+namespace nazori::author {
+
+/// A point of a closed contour of straight lines and quadratic curves. Between two control points lies a
+/// point of the curve that is not written, as in TrueType.
+struct OutlinePoint {
+  geometry::GlyphPoint at;
+  bool on_curve = true;  ///< else a control point
+};
+/// Clockwise on the screen; the first point is on the curve.
+using OutlineContour = std::vector<OutlinePoint>;
+
+/// A round brush at one place of a groove.
+struct Disc {
+  geometry::GlyphPoint at;
+  double radius = 0;  ///< [glyph units]
+  friend bool operator==(const Disc&, const Disc&) = default;
+};
+
+/// The discs of a groove. The area that a disc sweeps, growing or shrinking evenly from each to the next, is
+/// that of the groove, but for the tolerance.
+/// @param groove  at least one point, all of them finite. @param thinnest  least radius, over 0.
+[[nodiscard]] std::vector<Disc> discs_of(const carving::Groove& groove, double thinnest, double tolerance);
+
+/// Few of the discs, which sweep the same area but for the tolerance. The first and the last stay.
+/// @param block  every so many discs one stays in any case: so the time grows only with their number.
+[[nodiscard]] std::vector<Disc> thinned_discs(std::span<const Disc> discs, double tolerance,
+                                              std::size_t block = 512);
+
+/// Outlines the area that discs sweep, with round ends and joins. Filled by the rule of non-zero winding, it
+/// is that area but for the tolerance; contours may cross themselves and one another.
+/// @param discs  at least one, each with a radius over 0.
+void append_outline(std::span<const Disc> discs, double tolerance, std::vector<OutlineContour>& contours);
+
+}  // namespace nazori::author
