@@ -150,8 +150,8 @@ struct WorksheetMaker::Inside {
   base::Latest<SaveRequest, Saved, int> files;
 };
 
-WorksheetMaker::WorksheetMaker(base::Inbox& inbox, const fs::path& database)
-    : inside_(std::make_unique<Inside>(*this, inbox, database)) {}
+WorksheetMaker::WorksheetMaker(base::Inbox& inbox, const CharacterSource& source)
+    : inside_(std::make_unique<Inside>(*this, inbox, source)) {}
 
 WorksheetMaker::~WorksheetMaker() = default;
 

@@ -326,7 +326,7 @@ TEST_F(MemoryStageTest, TheModelLiesOverTheWritingWhileItIsAskedForAndAReplaySho
 }
 
 TEST_F(MemoryStageTest, WithoutADatabaseTheWritingIsKeptAndTheFailureReported) {
-  WritingJudge nowhere(inbox_, "/nowhere/kanji.db");
+  WritingJudge nowhere(inbox_, std::filesystem::path("/nowhere/kanji.db"));
   MemoryStage memory(inbox_, tablet_, nowhere);
   bool has_failed = false;
   memory.feedback.connect([&](const StageFeedback& what) {
