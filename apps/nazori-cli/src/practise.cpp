@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "json_lines.h"
+#include "nazori/author/collection.h"
 #include "nazori/base/utf8.h"
 #include "nazori/exchange/practice_events.h"
 #include "nazori/exchange/practice_requests.h"
@@ -36,8 +37,8 @@ struct PractiseSettings {
 /// The program without a window, and its reports since the last request.
 class Practice {
  public:
-  Practice(const std::filesystem::path& database, practice::Learner::Place place)
-      : learner_(inbox_, std::move(place)), library_(inbox_, database), judge_(inbox_, database) {
+  explicit Practice(const practice::Learner::Place& place)
+      : learner_(inbox_, place), library_(inbox_, place.characters), judge_(inbox_, place.characters) {
     connect();
   }
 
@@ -233,14 +234,14 @@ int run(Console& console, const PractiseSettings& settings) {
   const auto clock = study_clock(settings.options);
   if (!clock) return console.refuse(clock.error());
   practice::Learner::Place place;
-  place.database = *database;
+  place.characters = {*database, author::Collection::usual_folder()};
   place.clock = *clock;
   if (settings.study) {
     const auto folder = learners_folder(settings.options);
     if (!folder) return console.refuse(folder.error());
     place.folder = *folder;
   }
-  Practice practice(*database, std::move(place));
+  Practice practice(place);
   if (settings.study) {
     const std::string profile =
         settings.options.profile.empty() ? std::string(study::kDefaultProfile) : settings.options.profile;

@@ -15,6 +15,7 @@
 
 #include "environment_variable.h"
 #include "nazori/author/character_file.h"
+#include "nazori/geometry/svg_path.h"
 #include "temporary_folder.h"
 
 namespace nazori::author {
