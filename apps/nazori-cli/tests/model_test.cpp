@@ -119,7 +119,7 @@ TEST(Model, WhatCannotBeMadeIsRefusedInOneLine) {
   EXPECT_THAT(folder.names(), ElementsAre());
 }
 
-std::string text_of(const std::string& file) {
+std::string text_in(const std::string& file) {
   const auto bytes = bytes_of(file);
   return {bytes.begin(), bytes.end()};
 }
@@ -137,18 +137,18 @@ TEST(Model, TheNameOfTheFileChoosesTheMachine) {
   EXPECT_EQ(mill["kind"], "mill");
   EXPECT_GT(mill["deepest_mm"].get<double>(), 1);
   EXPECT_LE(mill["deepest_mm"].get<double>(), 3);
-  const std::string program = text_of(folder / "a.nc");
+  const std::string program = text_in(folder / "a.nc");
   EXPECT_TRUE(program.starts_with("(Nazori U+4F11)\n"));
   EXPECT_THAT(program, HasSubstr(" F600\n"));
   EXPECT_EQ(made("a.svg", {"--layers", "4"})["kind"], "laser");
-  EXPECT_THAT(text_of(folder / "a.svg"), HasSubstr("id=\"layer-4\""));
+  EXPECT_THAT(text_in(folder / "a.svg"), HasSubstr("id=\"layer-4\""));
   EXPECT_EQ(made("a.pdf", {"--paper", "letter"})["kind"], "swell-paper");
-  EXPECT_TRUE(text_of(folder / "a.pdf").starts_with("%PDF"));
+  EXPECT_TRUE(text_in(folder / "a.pdf").starts_with("%PDF"));
   EXPECT_EQ(made("a.brf")["kind"], "embosser");
-  const std::string pages = text_of(folder / "a.brf");
+  const std::string pages = text_in(folder / "a.brf");
   EXPECT_THAT(pages, HasSubstr("#F*%\r\n"));  // 6かく
   made("b.brf", {"--no-label"});
-  EXPECT_THAT(text_of(folder / "b.brf"), testing::Not(HasSubstr("#F*%")));
+  EXPECT_THAT(text_in(folder / "b.brf"), testing::Not(HasSubstr("#F*%")));
 }
 
 TEST(Model, BrailleIsContractedWhereAskedFor) {
@@ -158,7 +158,7 @@ TEST(Model, BrailleIsContractedWhereAskedFor) {
     words.insert(words.end(), more.begin(), more.end());
     const Outcome run = nazori_cli(words);
     EXPECT_EQ(run.code, 0) << run.err;
-    return text_of(folder / "a.brf");
+    return text_in(folder / "a.brf");
   };
   // The first meaning of 休 is "rest". Contracted, st is one cell: / in ASCII braille.
   EXPECT_THAT(embossed({}), HasSubstr("\r\nREST  "));
@@ -182,7 +182,7 @@ TEST(Model, AStandIsMadeForThePlate) {
   EXPECT_NEAR(solid_of(folder / "feet.stl").size[2], 10, 1e-4);
   // A stand changes nothing of the plate.
   EXPECT_EQ(nazori_cli({"model", "一", "--size-mm", "60", "--output", folder / "alone.stl"}).code, 0);
-  EXPECT_EQ(text_of(folder / "alone.stl"), text_of(folder / "a.stl"));
+  EXPECT_EQ(text_in(folder / "alone.stl"), text_in(folder / "a.stl"));
   // The feet are for a plate of 6 mm, and a thicker one has wider feet.
   EXPECT_EQ(nazori_cli({"model", "一", "--size-mm", "60", "--thickness-mm", "12", "--output",
                         folder / "b.stl", "--stand", folder / "wide.stl", "--json"})
@@ -215,18 +215,18 @@ TEST(Model, APlotIsMadeForPaperThatFingersRead) {
     return nazori_cli(words);
   };
   EXPECT_EQ(plot("a.brf", {"--columns-braille", "30", "--lines-braille", "20"}).code, 0);
-  const std::string page = text_of(folder / "a.brf");
+  const std::string page = text_in(folder / "a.brf");
   EXPECT_EQ(std::count(page.begin(), page.end(), '\n'), 20);
   EXPECT_THAT(page, HasSubstr("-#D"));
   EXPECT_TRUE(page.ends_with("\r\n\f"));
   EXPECT_EQ(plot("n.brf", {"--braille", "nemeth"}, "y = x").code, 0);
   EXPECT_EQ(plot("u.brf", {"--braille", "ueb"}, "y = x").code, 0);
   EXPECT_EQ(plot("d.brf", {}, "y = x").code, 0);
-  EXPECT_EQ(text_of(folder / "d.brf"), text_of(folder / "u.brf"));
-  EXPECT_NE(text_of(folder / "n.brf"), text_of(folder / "u.brf"));
+  EXPECT_EQ(text_in(folder / "d.brf"), text_in(folder / "u.brf"));
+  EXPECT_NE(text_in(folder / "n.brf"), text_in(folder / "u.brf"));
 
   EXPECT_EQ(plot("a.pdf", {"--paper", "b5", "--model-size-mm", "90"}).code, 0);
-  EXPECT_TRUE(text_of(folder / "a.pdf").starts_with("%PDF"));
+  EXPECT_TRUE(text_in(folder / "a.pdf").starts_with("%PDF"));
   // Parallels a third of a unit apart: one unit is 15 mm.
   const Outcome close = plot("c.pdf", {}, "y = 1; y = 4/3");
   EXPECT_EQ(close.code, 0);

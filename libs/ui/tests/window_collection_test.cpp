@@ -57,7 +57,8 @@ class CollectionWindow : public WindowTest {
   }
   std::vector<char32_t> kept() {
     std::vector<char32_t> code_points;
-    for (const auto& one : collection().read()->characters) code_points.push_back(one.code_point);
+    const auto content = collection().read();
+    for (const auto& one : content->characters) code_points.push_back(one.code_point);
     return code_points;
   }
   void answer_with(const QString& text) {

@@ -71,9 +71,10 @@ class AnnouncementsOfTheWindow : public testing::Test {
   QTemporaryDir folder_;
   QWidget window_;
   WindowParts parts_{window_,
-                     std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db",
                      folder_.filePath(QStringLiteral("nazori.ini")),
-                     {folder_.filePath(QStringLiteral("learners")).toStdString(), {}, {}}};
+                     {folder_.filePath(QStringLiteral("learners")).toStdString(),
+                      std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db",
+                      {}}};
   std::vector<Feedback> kinds_;
   QStringList said_;
 };
