@@ -101,7 +101,7 @@ std::vector<FontContour> outlined(const std::vector<OwnStroke>& strokes) {
   std::vector<std::vector<Disc>> lines;
   lines.reserve(strokes.size());
   for (const OwnStroke& stroke : strokes)
-    lines.push_back(discs_of(stroke.points, kThinnestInFont, tolerance));
+    lines.push_back(discs_of(stroke.points, {kThinnestInFont, kTipInFont, kTipRun}, tolerance));
   // At the latest it ends when every line has only its two ends.
   for (std::size_t block = 1024;; block *= 2) {
     std::vector<OutlineContour> contours;

@@ -195,10 +195,17 @@ class ContourBuilder {
 
 }  // namespace
 
-std::vector<Disc> discs_of(const carving::Groove& groove, double thinnest, double tolerance) {
+std::vector<Disc> discs_of(const carving::Groove& groove, const RadiusFloor& floor, double tolerance) {
+  const std::vector<carving::SmoothPoint> line = carving::smooth_line(groove);
+  const double all = line.back().arc_length;
+  const double run = std::min(floor.run, all / 4);
   std::vector<Disc> discs;
-  for (const carving::SmoothPoint& point : carving::smooth_line(groove))
-    discs.push_back({point.at, std::max(point.half_width, thinnest)});
+  discs.reserve(line.size());
+  for (const carving::SmoothPoint& point : line) {
+    const double from_end = std::min(point.arc_length, all - point.arc_length);
+    const double share = from_end < run ? from_end / run : 1.0;
+    discs.push_back({point.at, std::max(point.half_width, floor.tip + (floor.body - floor.tip) * share)});
+  }
   return thinned_discs(discs, tolerance);
 }
 

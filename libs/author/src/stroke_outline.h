@@ -26,10 +26,18 @@ struct Disc {
   friend bool operator==(const Disc&, const Disc&) = default;
 };
 
+/// How thin a line may become [glyph units].
+struct RadiusFloor {
+  double body = 0;  ///< least radius
+  double tip = 0;   ///< at both ends, over 0; a dot has the radius of the body
+  double run = 0;   ///< length over which the floor sinks to that of the tip; at most a quarter of the line
+};
+
 /// The discs of a groove. The area that a disc sweeps, growing or shrinking evenly from each to the next, is
 /// that of the groove, but for the tolerance.
-/// @param groove  at least one point, all of them finite. @param thinnest  least radius, over 0.
-[[nodiscard]] std::vector<Disc> discs_of(const carving::Groove& groove, double thinnest, double tolerance);
+/// @param groove  at least one point, all of them finite. @param floor  least radius.
+[[nodiscard]] std::vector<Disc> discs_of(const carving::Groove& groove, const RadiusFloor& floor,
+                                         double tolerance);
 
 /// Few of the discs, which sweep the same area but for the tolerance. The first and the last stay.
 /// @param block  every so many discs one stays in any case: so the time grows only with their number.

@@ -157,13 +157,21 @@ TEST(CharacterFont, ALoopKeepsItsHole) {
 TEST(CharacterFont, ASweepThinsOutButItsTipIsSeen) {
   const std::vector<OwnStroke> strokes = {{.points = {{{20, 54}, 6, 1}, {{90, 54}, 0, 0}}}};
   const FlatOutline outline = outline_of(strokes);
-  EXPECT_GT(outline.winding({90.3, 54}), 0);
-  EXPECT_EQ(outline.winding({90.7, 54}), 0);
-  EXPECT_GT(outline.winding({89, 54.3}), 0);
-  EXPECT_EQ(outline.winding({89, 54.8}), 0);
+  EXPECT_GT(outline.winding({89.9, 54}), 0);
+  EXPECT_EQ(outline.winding({90.3, 54}), 0);
+  EXPECT_GT(outline.winding({89, 54.1}), 0);
+  EXPECT_EQ(outline.winding({89, 54.6}), 0);
   EXPECT_GT(outline.winding({20, 59.7}), 0);
   std::mt19937 random(4);
   expect_shape(outline, strokes, random, 3000);
+}
+
+TEST(CharacterFont, AHairlineIsSeen) {
+  const FlatOutline outline = outline_of({even_stroke({{20, 54}, {90, 54}}, 0)});
+  EXPECT_GT(outline.winding({50, 54.4}), 0);
+  EXPECT_GT(outline.winding({23, 53.6}), 0);
+  EXPECT_EQ(outline.winding({50, 54.6}), 0);
+  EXPECT_EQ(outline.winding({20.2, 54.4}), 0);
 }
 
 TEST(CharacterFont, TurningBackAndSharpBendsAreRound) {

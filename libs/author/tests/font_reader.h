@@ -154,13 +154,19 @@ inline double distance_to_sweep(geometry::GlyphPoint p, geometry::GlyphPoint a, 
   return distance(p, a + forward * t) - (ra + (rb - ra) * t / far);
 }
 
-/// The same for all strokes, whose grooves are at least as wide as the thinnest line of a font.
+/// The same for all strokes. Lines are at least 1 unit wide, but for their tips: there 0.2, and in between
+/// over the last 2 units, or a quarter of the line.
 class GrooveDistance {
  public:
   explicit GrooveDistance(std::span<const OwnStroke> strokes) {
     for (const OwnStroke& stroke : strokes) lines_.push_back(carving::smooth_line(stroke.points));
     for (auto& line : lines_)
-      for (auto& point : line) point.half_width = std::max(point.half_width, 0.5);
+      for (auto& point : line) {
+        const double length = line.back().arc_length;
+        const double left = std::min(point.arc_length, length - point.arc_length);
+        const double run = std::min(2.0, length / 4);
+        point.half_width = std::max(point.half_width, left < run ? 0.1 + 0.4 * left / run : 0.5);
+      }
   }
   [[nodiscard]] double to(geometry::GlyphPoint p) const {
     double least = 1e9;

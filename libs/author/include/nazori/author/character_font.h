@@ -27,6 +27,10 @@ inline constexpr int kFontAscent = 880;
 /// Half the width of the thinnest line [glyph units]: where a groove is narrower, the font is not, so that it
 /// can be seen.
 inline constexpr double kThinnestInFont = 0.5;
+/// The same at both ends of a line, so that sweeps end in a tip: it sinks to this over the last kTipRun glyph
+/// units, or over a quarter of a shorter line. A stroke of one point has none.
+inline constexpr double kTipInFont = 0.1;
+inline constexpr double kTipRun = 2;
 /// How far the edge of a glyph may be from that of the groove [glyph units], while the glyph has room for it.
 inline constexpr double kFontTolerance = 0.15;
 /// Most characters of a font. @source OpenType counts glyphs with 16 bits; one is the glyph for what is
