@@ -227,6 +227,22 @@ TEST_F(WorkshopDetails, ANumberIsDraggedMovedByKeysAndPutBack) {
   EXPECT_EQ(feedback(), QStringLiteral("The program places the number."));
 }
 
+TEST_F(WorkshopDetails, WhatACheckFindsAboutANumberChoosesTheNumber) {
+  draw_three();
+  press(Qt::Key_U);
+  canvas()->setFocus();
+  for (int i = 0; i < 30; ++i) press(Qt::Key_Right);
+  press(Qt::Key_K);
+  auto* findings = find<QListWidget>("workshop_findings");
+  int far = -1;
+  for (int i = 0; i < findings->count(); ++i)
+    if (findings->item(i)->text().contains(QStringLiteral("its number is far from its start"))) far = i;
+  ASSERT_GE(far, 0) << feedback().toStdString();
+  press(Qt::Key_P);
+  emit findings->itemClicked(findings->item(far));
+  EXPECT_EQ(workshop->bench().selection(), (author::Selection{2, std::nullopt, true}));
+}
+
 TEST_F(WorkshopDetails, AKeyChoosesANumberWithTheToolThatMovesIt) {
   press(Qt::Key_U);
   EXPECT_EQ(feedback(), QStringLiteral("There are no strokes yet."));

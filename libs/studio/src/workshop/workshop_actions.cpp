@@ -112,9 +112,9 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
   tool_group += {nullptr, straight, mirrored, next_stamp, nullptr, wider, thinner, deeper, shallower};
   add_group(tr("&Tool"), tool_group);
   add_group(tr("&Stroke"),
-            {undo,           redo,    step_back, finish,  nullptr, next_stroke, previous_stroke, next_point,
-             previous_point, nullptr, earlier,   later,   reverse, ending,      nullptr,         insert,
-             split,          join,    remove,    nullptr, curve,   number,      place_number});
+            {undo, redo, step_back, finish, nullptr, next_stroke, previous_stroke, next_point, previous_point,
+             nullptr, earlier, later, reverse, ending, nullptr, insert, split, join, remove});
+  for (auto* action : QList<QAction*>{nullptr, curve, number, place_number}) add_to_group(1, action);
   add_group(tr("&Character"),
             {start_empty, copy, from_picture, from_font, from_plot, nullptr, clear_relief, nullptr, details,
              add_part, remove_part, check, describe, nullptr, carve, save_copy, nullptr, keep, remove_kept});

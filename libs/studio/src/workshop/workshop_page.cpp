@@ -219,7 +219,11 @@ void WorkshopPage::connect_panel() {
           [this](const QString& sentence) { parts().respond(Feedback::wrong, sentence); });
   connect(panel_, &WorkshopPanel::finding_chosen, this, [this](const author::Finding& finding) {
     if (!finding.stroke) return;
-    bench_->select({finding.stroke, finding.point});
+    using author::FindingKind;
+    const bool of_number = finding.kind == FindingKind::number_far ||
+                           finding.kind == FindingKind::numbers_overlap ||
+                           finding.kind == FindingKind::number_hides_start;
+    bench_->select({finding.stroke, finding.point, of_number});
     parts().respond(Feedback::advice, finding_words(finding));
   });
 }
