@@ -84,7 +84,9 @@ bool Workbench::apply(CharacterEditor::Touched touched) {
 void Workbench::keep_selection_valid() {
   const auto& strokes = character().strokes;
   if (selection_.stroke && *selection_.stroke >= strokes.size()) selection_ = {};
-  if (!selection_.stroke || selection_.point >= strokes[*selection_.stroke].points.size())
+  if (!selection_.stroke) selection_.number = false;
+  if (!selection_.stroke || selection_.number ||
+      selection_.point >= strokes[*selection_.stroke].points.size())
     selection_.point.reset();
 }
 
@@ -139,8 +141,15 @@ GlyphPoint Workbench::snapped(GlyphPoint at) const {
 
 void Workbench::choose_at(GlyphPoint at) {
   const auto& strokes = character().strokes;
+  // A number may be so near to a point that both are in reach.
+  constexpr double kOnPoint = 1.5;
   Selection chosen;
-  if (const auto near = snap(strokes, at, kReach)) {
+  const auto near = snap(strokes, at, kReach);
+  const auto number = near && near->distance <= kOnPoint ? std::nullopt : number_at(at);
+  if (number) {
+    chosen = {number, std::nullopt, true};
+    number_grip_ = number_place(*number) - at;
+  } else if (near) {
     chosen = {near->stroke, near->point};
   } else if (const auto place = nearest_place(strokes, at);
              place && place->distance <= std::max(kReach, place->groove.half_width)) {
@@ -160,12 +169,15 @@ void Workbench::drag(GlyphPoint to) {
   if (!selection_.stroke) return;
   const GlyphPoint by = to - dragged_to_;
   if (by == GlyphPoint{}) return;
-  const bool done =
-      selection_.point
-          ? apply(editor_.move_point(
-                *selection_.stroke, *selection_.point,
-                character().strokes[*selection_.stroke].points[*selection_.point].at + by, has_dragged_))
-          : apply(editor_.move_stroke(*selection_.stroke, by, has_dragged_));
+  bool done = false;
+  if (selection_.number)
+    done = move_number(to + number_grip_, has_dragged_);
+  else if (selection_.point)
+    done = apply(editor_.move_point(*selection_.stroke, *selection_.point,
+                                    character().strokes[*selection_.stroke].points[*selection_.point].at + by,
+                                    has_dragged_));
+  else
+    done = apply(editor_.move_stroke(*selection_.stroke, by, has_dragged_));
   if (!done) return;
   dragged_to_ = to;
   has_dragged_ = true;
@@ -174,7 +186,7 @@ void Workbench::drag(GlyphPoint to) {
 void Workbench::end() {
   const bool dragged = std::exchange(has_dragged_, false);
   if (std::exchange(drags_, false)) {
-    if (dragged) edited(selection_.point ? EditKind::move_point : EditKind::move_stroke, EditWay::made);
+    if (dragged) edited(kind_of_move(), EditWay::made);
     return;
   }
   if (!uses_movement()) return;
@@ -251,12 +263,15 @@ void Workbench::select_next_point(int by) {
 void Workbench::move_by_key(GlyphPoint by) {
   if (settings_.tool == Tool::edit && selection_.stroke) {
     const std::size_t stroke = *selection_.stroke;
-    const bool done =
-        selection_.point
-            ? apply(editor_.move_point(stroke, *selection_.point,
-                                       character().strokes[stroke].points[*selection_.point].at + by))
-            : apply(editor_.move_stroke(stroke, by));
-    if (done) edited(selection_.point ? EditKind::move_point : EditKind::move_stroke, EditWay::made);
+    bool done = false;
+    if (selection_.number)
+      done = move_number(number_place(stroke) + by, false);
+    else if (selection_.point)
+      done = apply(editor_.move_point(stroke, *selection_.point,
+                                      character().strokes[stroke].points[*selection_.point].at + by));
+    else
+      done = apply(editor_.move_stroke(stroke, by));
+    if (done) edited(kind_of_move(), EditWay::made);
     return;
   }
   cursor_ = in_box(cursor_ + by);
@@ -285,6 +300,7 @@ bool Workbench::insert_point() {
 
 bool Workbench::remove() {
   if (!selection_.stroke) return false;
+  if (selection_.number) return place_number();
   const std::size_t stroke = *selection_.stroke;
   const bool point = selection_.point && character().strokes[stroke].points.size() > 1;
   if (!apply(point ? editor_.delete_point(stroke, *selection_.point) : editor_.delete_stroke(stroke)))

@@ -368,15 +368,22 @@ workshop_insert I
 workshop_split X
 workshop_join J
 workshop_remove Del
+-
+workshop_curve W
+workshop_number U
+workshop_place_number Shift+U
 [Character]
 workshop_new Ctrl+N
 workshop_copy C
 workshop_picture Ctrl+I
 workshop_font F
+workshop_plot Y
 -
 workshop_clear_relief Ctrl+Del
 -
 workshop_details D
+workshop_add_part G
+workshop_remove_part Shift+G
 *workshop_check K
 workshop_describe S
 -

@@ -199,6 +199,12 @@ void CharacterCanvas::paint_stroke(QPainter& painter, std::size_t number) const 
     }
   }
   if (number >= numbers_.size()) return;
+  if (chosen && bench_.selection().number) {
+    const auto box = author::number_box(number + 1, numbers_[number]);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(
+        QRectF(to_widget({box.left, box.top}), to_widget({box.right, box.bottom})).adjusted(-2, -2, 2, 2));
+  }
   QFont font = painter.font();
   font.setPixelSize(std::max(static_cast<int>(kDigit * place_.width() / geometry::kGlyphSide), 9));
   font.setBold(chosen);

@@ -46,6 +46,14 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
   next_point = make("workshop_next_point", tr("Ne&xt point"), tr("Choose the next point of the stroke"), ".");
   previous_point = make("workshop_previous_point", tr("Previous p&oint"),
                         tr("Choose the previous point of the stroke"), ",");
+  number = make("workshop_number", tr("N&umber"),
+                tr("Choose the number of the stroke. Arrow keys or the mouse move it"), "U");
+  place_number = make("workshop_place_number", tr("Place the number a&utomatically"),
+                      tr("Let the program place the number of the stroke again"), "Shift+U");
+  curve = make(
+      "workshop_curve", tr("&Width and depth along the stroke"),
+      tr("Change width and depth along the stroke: Left and Right choose a point, Up and Down change it"),
+      "W");
   earlier = make("workshop_earlier", tr("&Earlier"), tr("Move the stroke one place forward in the order"),
                  "Ctrl+Up");
   later =
@@ -68,6 +76,8 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
                       tr("Find the strokes in a scan or photograph (PNG, JPEG)"), "Ctrl+I");
   from_font =
       make("workshop_font", tr("From a &font…"), tr("Find the strokes of a character of a font"), "F");
+  from_plot = make("workshop_plot", tr("From a function p&lot…"),
+                   tr("Begin with the plot of a function as the relief"), "Y");
   clear_relief = make("workshop_clear_relief", tr("Clear the &relief"),
                       tr("Take away everything that was changed by hand; strokes stay"), "Ctrl+Del");
   keep = make("workshop_keep", tr("&Keep among my characters"),
@@ -76,6 +86,11 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
                      tr("Lists, search, study and worksheets no longer have it; what you learned stays"),
                      "Ctrl+Shift+Del");
   details = make("workshop_details", tr("&Name and details"), tr("Type the name, readings and licence"), "D");
+  add_part =
+      make("workshop_add_part", tr("&Add a part"),
+           tr("Add a part of the strokes that are chosen in the list, or else of those in no part"), "G");
+  remove_part = make("workshop_remove_part", tr("Rem&ove the part"),
+                     tr("Remove the chosen part; strokes stay"), "Shift+G");
   check = make("workshop_check", tr("Chec&k"), tr("Look for mistakes: order, endings, depth, licence"), "K",
                true, Icon::tick);
   describe =
@@ -99,9 +114,10 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
   add_group(tr("&Stroke"),
             {undo, redo, step_back, finish, nullptr, next_stroke, previous_stroke, next_point, previous_point,
              nullptr, earlier, later, reverse, ending, nullptr, insert, split, join, remove});
+  for (auto* action : QList<QAction*>{nullptr, curve, number, place_number}) add_to_group(1, action);
   add_group(tr("&Character"),
-            {start_empty, copy, from_picture, from_font, nullptr, clear_relief, nullptr, details, check,
-             describe, nullptr, carve, save_copy, nullptr, keep, remove_kept});
+            {start_empty, copy, from_picture, from_font, from_plot, nullptr, clear_relief, nullptr, details,
+             add_part, remove_part, check, describe, nullptr, carve, save_copy, nullptr, keep, remove_kept});
   add_group(tr("&Look"), {zoom_in, zoom_out, zoom_whole, nullptr, strokes, panel});
 }
 

@@ -59,6 +59,24 @@ void WorkshopPage::connect_actions() {
       if (!what(*bench_)) say_nothing_chosen();
     };
   };
+  on(actions_->number, [this] {
+    if (!bench_->select_number()) return say_selection();
+    // The arrow keys move what is chosen with this tool alone.
+    if (bench_->settings().tool != author::Tool::edit)
+      actions_->tools[static_cast<std::size_t>(author::Tool::edit)]->trigger();
+    say_selection();
+  });
+  on(actions_->place_number, [this] {
+    if (!bench_->selection().stroke) return say_nothing_chosen();
+    bench_->place_number();
+    parts().respond(Feedback::hint, tr("The program places the number."));
+  });
+  on(actions_->curve, [this] {
+    if (!bench_->selection().stroke) bench_->select_next_stroke(1);
+    if (!bench_->selection().stroke) return say_selection();
+    if (!actions_->panel->isChecked()) actions_->panel->trigger();
+    panel_->focus_curve();
+  });
   on(actions_->earlier, edit([](author::Workbench& bench) { return bench.reorder(-1); }));
   on(actions_->later, edit([](author::Workbench& bench) { return bench.reorder(1); }));
   on(actions_->reverse, edit([](author::Workbench& bench) { return bench.reverse(); }));
@@ -74,12 +92,20 @@ void WorkshopPage::connect_actions() {
   on(actions_->copy, [this] { ask_copy(); });
   on(actions_->from_picture, [this] { ask_picture(); });
   on(actions_->from_font, [this] { ask_font(); });
+  on(actions_->from_plot, [this] { ask_plot(); });
   on(actions_->clear_relief, [this] { bench_->clear_relief(); });
   on(actions_->keep, [this] { keep(); });
   on(actions_->remove_kept, [this] { remove_kept(); });
   on(actions_->details, [this] {
     if (!actions_->panel->isChecked()) actions_->panel->trigger();
     panel_->focus_name();
+  });
+  on(actions_->add_part, [this] {
+    if (!actions_->panel->isChecked()) actions_->panel->trigger();
+    panel_->add_part();
+  });
+  on(actions_->remove_part, [this] {
+    if (!panel_->remove_part()) parts().respond(Feedback::hint, tr("Choose a part in the list first."));
   });
   on(actions_->check, [this] { actions_->check->isChecked() ? show_check() : clear_check(); });
   on(actions_->describe, [this] { describe(); });

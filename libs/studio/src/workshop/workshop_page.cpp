@@ -203,9 +203,27 @@ void WorkshopPage::connect_panel() {
   });
   connect(panel_, &WorkshopPanel::facts_typed, this,
           [this](const author::Facts& facts) { bench_->set_facts(facts); });
+  connect(panel_, &WorkshopPanel::point_chosen, this, [this](std::size_t point) {
+    bench_->select({bench_->selection().stroke, point});
+  });
+  connect(panel_, &WorkshopPanel::half_width_moved, this,
+          [this](std::size_t point, double value, bool goes_on) {
+            bench_->set_half_width(point, value, goes_on);
+          });
+  connect(panel_, &WorkshopPanel::depth_moved, this, [this](std::size_t point, double value, bool goes_on) {
+    bench_->set_depth(point, value, goes_on);
+  });
+  connect(panel_, &WorkshopPanel::curve_said, this,
+          [this](const QString& sentence) { parts().respond(Feedback::hint, sentence); });
+  connect(panel_, &WorkshopPanel::text_refused, this,
+          [this](const QString& sentence) { parts().respond(Feedback::wrong, sentence); });
   connect(panel_, &WorkshopPanel::finding_chosen, this, [this](const author::Finding& finding) {
     if (!finding.stroke) return;
-    bench_->select({finding.stroke, finding.point});
+    using author::FindingKind;
+    const bool of_number = finding.kind == FindingKind::number_far ||
+                           finding.kind == FindingKind::numbers_overlap ||
+                           finding.kind == FindingKind::number_hides_start;
+    bench_->select({finding.stroke, finding.point, of_number});
     parts().respond(Feedback::advice, finding_words(finding));
   });
 }

@@ -17,6 +17,9 @@
 #include <cmath>
 
 #include "nazori/studio/parts/panel_parts.h"
+#include "nazori/studio/workshop/groove_curve.h"
+#include "nazori/studio/workshop/part_words.h"
+#include "nazori/studio/workshop/parts_editor.h"
 #include "nazori/studio/workshop/workshop_actions.h"
 #include "nazori/studio/workshop/workshop_words.h"
 #include "nazori/widgets/controls/parts.h"
@@ -81,11 +84,22 @@ WorkshopPanel::WorkshopPanel(const WorkshopActions& actions, QWidget* parent)
   selection_ = text_label("workshop_selection", content_, "muted");
   column->addWidget(selection_);
   strokes_ = named(new QListWidget(content_), "workshop_strokes_list", tr("Strokes in writing order"));
+  strokes_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   strokes_->setDragDropMode(QAbstractItemView::InternalMove);
   strokes_->setMinimumHeight(QFontInfo(font()).pixelSize() * 9);
   column->addWidget(strokes_, 2);
   add_buttons(column, {actions.earlier, actions.later, actions.reverse, actions.ending, actions.remove},
               content_);
+
+  width_curve_ = new GrooveCurve(GrooveCurve::Quantity::half_width, "workshop_width_curve", content_);
+  depth_curve_ = new GrooveCurve(GrooveCurve::Quantity::depth, "workshop_depth_curve", content_);
+  for (auto* curve : {width_curve_, depth_curve_}) {
+    column->addWidget(curve);
+    connect(curve, &GrooveCurve::point_chosen, this, &WorkshopPanel::point_chosen);
+    connect(curve, &GrooveCurve::said, this, &WorkshopPanel::curve_said);
+  }
+  connect(width_curve_, &GrooveCurve::value_moved, this, &WorkshopPanel::half_width_moved);
+  connect(depth_curve_, &GrooveCurve::value_moved, this, &WorkshopPanel::depth_moved);
 
   column->addSpacing(kPanelGap);
   column->addWidget(heading(tr("Details"), content_));
@@ -101,10 +115,14 @@ WorkshopPanel::WorkshopPanel(const WorkshopActions& actions, QWidget* parent)
   name_ = field("workshop_name", tr("Name"), tr("A character, or what you call it"));
   readings_ = field("workshop_readings", tr("Readings"), tr("With commas between them"));
   meanings_ = field("workshop_meanings", tr("Meanings"), tr("With commas between them"));
+  radical_ = field("workshop_radical", tr("Radical"), tr("1 to 214"));
   author_ = field("workshop_author", tr("Author"), {});
   licence_ = field("workshop_licence", tr("Licence"), QStringLiteral("CC-BY-4.0"));
   source_ = text_label("workshop_source", content_, "muted");
   column->addWidget(source_);
+  column->addWidget(heading(tr("Parts"), content_));
+  parts_ = new PartsEditor(actions, content_);
+  column->addWidget(parts_);
 
   column->addSpacing(kPanelGap);
   column->addWidget(heading(tr("Check"), content_));
@@ -129,6 +147,12 @@ WorkshopPanel::WorkshopPanel(const WorkshopActions& actions, QWidget* parent)
             emit stroke_dragged(static_cast<std::size_t>(from),
                                 static_cast<std::size_t>(before > from ? before - 1 : before));
           });
+  connect(parts_, &PartsEditor::parts_typed, this, [this](const std::vector<author::OwnPart>& parts) {
+    author::Facts facts = facts_;
+    facts.parts = parts;
+    emit facts_typed(facts);
+  });
+  connect(parts_, &PartsEditor::refused, this, &WorkshopPanel::text_refused);
   const auto choose_finding = [this](QListWidgetItem* item) {
     const auto row = static_cast<std::size_t>(findings_list_->row(item));
     if (row < findings_.size()) emit finding_chosen(findings_[row]);
@@ -168,12 +192,20 @@ void WorkshopPanel::show_character(const author::Workbench& bench) {
       else if (strokes_->item(i)->text() != words)
         strokes_->item(i)->setText(words);
     }
-    strokes_->setCurrentRow(bench.selection().stroke ? static_cast<int>(*bench.selection().stroke) : -1);
+    // Setting the same row again would take away what else is chosen in the list.
+    const int row = bench.selection().stroke ? static_cast<int>(*bench.selection().stroke) : -1;
+    if (strokes_->currentRow() != row) strokes_->setCurrentRow(row);
+    if (row < 0) strokes_->clearSelection();
   }
+  const auto& chosen_stroke = bench.selection().stroke;
+  const carving::Groove groove = chosen_stroke ? character.strokes[*chosen_stroke].points : carving::Groove();
+  for (auto* curve : {width_curve_, depth_curve_}) curve->show_groove(groove, bench.selection().point);
   facts_ = character.facts;
   set_text(name_, to_text(facts_.name));
   set_text(readings_, joined_texts(facts_.readings));
   set_text(meanings_, joined_texts(facts_.meanings));
+  set_text(radical_, radical_words(facts_.radical));
+  parts_->show_parts(facts_.parts, character.strokes.size());
   set_text(author_, to_text(facts_.rights.author));
   set_text(licence_, to_text(facts_.rights.licence));
   // What comes from KanjiVG keeps its licence and its authors.
@@ -190,10 +222,30 @@ void WorkshopPanel::send_facts() {
   facts.name = name_->text().simplified().toStdString();
   facts.readings = split_texts(readings_->text());
   facts.meanings = split_texts(meanings_->text());
+  if (!read_radical(radical_->text(), facts.radical)) {
+    emit text_refused(
+        tr("“%1” is not a radical. Type its number, 1 to 214, or its form.").arg(radical_->text()));
+  }
+  radical_->setText(radical_words(facts.radical));
   facts.rights.author = author_->text().simplified().toStdString();
   facts.rights.licence = licence_->text().simplified().toStdString();
   if (facts != facts_) emit facts_typed(facts);
 }
+
+void WorkshopPanel::focus_curve() {
+  ensureWidgetVisible(width_curve_);
+  width_curve_->setFocus(Qt::ShortcutFocusReason);
+}
+
+void WorkshopPanel::add_part() {
+  std::vector<int> chosen;
+  for (const auto& index : strokes_->selectionModel()->selectedRows()) chosen.push_back(index.row());
+  std::ranges::sort(chosen);
+  ensureWidgetVisible(parts_);
+  parts_->add(std::move(chosen));
+}
+
+bool WorkshopPanel::remove_part() { return parts_->remove(); }
 
 void WorkshopPanel::show_findings(const std::vector<author::Finding>& findings, bool checked) {
   findings_ = findings;

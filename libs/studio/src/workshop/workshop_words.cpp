@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "nazori/author/stroke_edits.h"
 #include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
@@ -150,6 +151,14 @@ QString selection_words(const author::OwnCharacter& character, const author::Sel
                       .arg(character.strokes.size())
                       .arg(ending_name(stroke.ending),
                            Words::tr("%n points", nullptr, static_cast<int>(stroke.points.size())));
+  if (selection.number) {
+    const auto at = author::number_places(character.strokes)[*selection.stroke];
+    return words + QLatin1Char(' ') +
+           Words::tr("Its number: %1 from the left, %2 from the top, %3.")
+               .arg(
+                   tenth(at.x), tenth(at.y),
+                   stroke.number_position ? Words::tr("placed by hand") : Words::tr("placed by the program"));
+  }
   if (!selection.point) return words;
   const auto& point = stroke.points[*selection.point];
   QString which = Words::tr("Point %1").arg(*selection.point + 1);

@@ -211,9 +211,7 @@ void PlotPanel::show_words(const QString& words) {
 
 void PlotPanel::show_error(const functions::SyntaxError& error) {
   line_->mark_error(error.column);
-  const auto words = functions::in_words(error, plot_language());
-  const QString text =
-      tr("Column %1: %2; %3.").arg(error.column).arg(localised(words.message), localised(words.expected));
+  const QString text = syntax_error_words(error);
   error_->setText(text);
   line_->setAccessibleDescription(text);
   QAccessibleEvent changed(line_, QAccessible::DescriptionChanged);

@@ -2,7 +2,6 @@
 #include "functions/plot_words.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QRegularExpression>
 #include <cmath>
 
@@ -10,9 +9,6 @@
 
 namespace nazori::ui {
 namespace {
-
-// Before Words: lupdate would lose the context of the strings that follow.
-functions::SpeechStyle chosen_speech = functions::SpeechStyle::verbose;
 
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(nazori::ui::plot_words)
@@ -43,15 +39,6 @@ QString arrival_words(const QString& before, const functions::PlotEvent& event) 
 
 }  // namespace
 
-functions::Language plot_language() {
-  return QLocale().language() == QLocale::Japanese ? functions::Language::japanese
-                                                   : functions::Language::english;
-}
-
-functions::SpeechStyle plot_speech() { return chosen_speech; }
-
-void set_plot_speech(functions::SpeechStyle style) { chosen_speech = style; }
-
 QString speech_words(functions::SpeechStyle style) {
   switch (style) {
     case functions::SpeechStyle::verbose:
@@ -62,21 +49,6 @@ QString speech_words(functions::SpeechStyle style) {
       return Words::tr("Spoken form: superbrief");
   }
   return {};
-}
-
-bool uses_decimal_comma() { return QLocale::system().decimalPoint() == QLatin1String(","); }
-
-QString localised(const std::string& words) {
-  QString text = to_text(words);
-  if (uses_decimal_comma()) {
-    static const QRegularExpression point(QStringLiteral("(\\d)\\.(\\d)"));
-    text.replace(point, QStringLiteral("\\1,\\2"));
-  }
-  return text;
-}
-
-QString number_text(double value, int digits) {
-  return localised(QString::number(value, 'g', digits).toStdString());
 }
 
 QString no_coordinate() { return QStringLiteral("–"); }

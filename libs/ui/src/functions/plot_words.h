@@ -5,23 +5,12 @@
 
 #include "nazori/functions/plot_event.h"
 #include "nazori/functions/plot_export.h"
+#include "nazori/widgets/words/plot_text.h"
 
 namespace nazori::ui {
 
-/// The language of the interface, as the module `functions` names it.
-[[nodiscard]] functions::Language plot_language();
-/// How much is said around the parts of an expression: a setting of the page for functions.
-[[nodiscard]] functions::SpeechStyle plot_speech();
-void set_plot_speech(functions::SpeechStyle style);
 /// "Spoken form: brief".
 [[nodiscard]] QString speech_words(functions::SpeechStyle style);
-/// Whether the learner's desktop writes 1,5.
-[[nodiscard]] bool uses_decimal_comma();
-
-/// A text of the module `functions`, with the learner's decimal sign.
-[[nodiscard]] QString localised(const std::string& words);
-/// A number to read, with `digits` significant digits.
-[[nodiscard]] QString number_text(double value, int digits = 6);
 /// A coordinate to read: "π/2 ≈ 1.571", or only the number if no exact name is known.
 [[nodiscard]] QString coordinate_text(double value, const std::string& exact_name);
 

@@ -48,10 +48,11 @@ inline constexpr double kThinnestTool = 0.5;
 inline constexpr double kWidestTool = 40;
 inline constexpr double kShallowestTool = 0.05;
 
-/// What is chosen. A point is chosen only together with its stroke.
+/// What is chosen. A point or a number is chosen only together with its stroke.
 struct Selection {
   std::optional<std::size_t> stroke;  ///< 0-based
   std::optional<std::size_t> point;   ///< 0-based, of that stroke
+  bool number = false;                ///< the number of that stroke; then none of its points
   friend bool operator==(const Selection&, const Selection&) = default;
 };
 
@@ -104,6 +105,10 @@ class Workbench {
   /// The next or previous point of the chosen stroke, of none the first point of the first stroke.
   void select_next_point(int by);
 
+  /// Chooses the number of the chosen stroke, of none that of the first one. @return whether there are
+  /// strokes.
+  bool select_number();
+
   /// The pen of the keyboard.
   [[nodiscard]] geometry::GlyphPoint cursor() const { return cursor_; }
   /// With the tool edit moves what is chosen; else, or with nothing chosen, the cursor, and with the cursor
@@ -115,6 +120,7 @@ class Workbench {
   // Edits of the chosen stroke. @return false where nothing is chosen that they could change.
   /// Adds a point halfway between the chosen point and the next one; at the end, before the last one.
   bool insert_point();
+  /// Deletes the chosen point or stroke. A chosen number is placed by the program again.
   bool remove();
   bool reverse();
   /// Splits at the chosen point.
@@ -127,6 +133,14 @@ class Workbench {
   /// Of the chosen point, else of the whole stroke.
   bool scale_width(double factor);
   bool scale_depth(double factor);
+  /// Changes the groove at a point of the chosen stroke. Values out of range are moved into it.
+  /// @param half_width  [glyph units], 0..carving::kWidestHalf. @param goes_on  the same drag as the edit
+  /// before: both are undone at once, and edited() is emitted only for the beginning.
+  bool set_half_width(std::size_t point, double half_width, bool goes_on = false);
+  /// @param depth  fraction of the tablet's depth, 0..1.
+  bool set_depth(std::size_t point, double depth, bool goes_on = false);
+  /// The program places the number of the chosen stroke. @return false also where it does so already.
+  bool place_number();
 
   void set_facts(const Facts& facts);
   void add_strokes(const std::vector<OwnStroke>& strokes);
@@ -160,6 +174,14 @@ class Workbench {
   [[nodiscard]] geometry::GlyphPoint snapped(geometry::GlyphPoint at) const;
   void keep_selection_valid();
   [[nodiscard]] bool uses_movement() const;
+  /// The stroke whose number is written at a place.
+  [[nodiscard]] std::optional<std::size_t> number_at(geometry::GlyphPoint at) const;
+  /// Where the number of a stroke is written, whoever placed it.
+  [[nodiscard]] geometry::GlyphPoint number_place(std::size_t stroke) const;
+  /// Moves the number of the chosen stroke. @return whether it is elsewhere now.
+  bool move_number(geometry::GlyphPoint to, bool goes_on);
+  /// What a drag of the chosen thing changes.
+  [[nodiscard]] EditKind kind_of_move() const;
 
   CharacterEditor editor_;
   BenchSettings settings_;
@@ -168,8 +190,9 @@ class Workbench {
   geometry::Polyline<geometry::GlyphFrame> placed_;
   geometry::GlyphPoint cursor_{geometry::kGlyphSide / 2, geometry::kGlyphSide / 2};
   geometry::GlyphPoint dragged_to_;
+  geometry::GlyphPoint number_grip_;  ///< from the pen to the number that it drags
   bool down_ = false;
-  bool drags_ = false;  ///< a point or a stroke
+  bool drags_ = false;  ///< a point, a number or a stroke
   bool has_dragged_ = false;
 };
 

@@ -17,9 +17,11 @@ class WorkshopActions final : public ActionSet {
   QAction *straight, *mirrored, *wider, *thinner, *deeper, *shallower, *next_stamp;
   QAction *undo, *redo, *step_back, *finish;
   QAction *next_stroke, *previous_stroke, *next_point, *previous_point;
+  QAction *number, *place_number, *curve;
   QAction *earlier, *later, *reverse, *ending, *insert, *split, *join, *remove;
-  QAction *start_empty, *copy, *from_picture, *from_font, *clear_relief;
+  QAction *start_empty, *copy, *from_picture, *from_font, *from_plot, *clear_relief;
   QAction *keep, *remove_kept;
+  QAction *add_part, *remove_part;
   QAction *details, *check, *describe, *carve, *save_copy;
   QAction *zoom_in, *zoom_out, *zoom_whole, *strokes, *panel;
 };

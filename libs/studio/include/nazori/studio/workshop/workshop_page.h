@@ -88,6 +88,7 @@ class WorkshopPage final : public Page {
   void trace(author::TraceRequest request, char32_t character);
   void ask_picture();
   void ask_font();
+  void ask_plot();
   void ask_copy();
   [[nodiscard]] author::Collection collection() const;
   /// The code point under which the document is kept among the learner's characters.

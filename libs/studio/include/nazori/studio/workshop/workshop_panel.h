@@ -17,6 +17,8 @@ class QSpinBox;
 
 namespace nazori::ui {
 
+class GrooveCurve;
+class PartsEditor;
 class WorkshopActions;
 
 /// Beside the tablet in the making: the tool, the strokes in their order, what the character is called, and
@@ -31,6 +33,12 @@ class WorkshopPanel final : public QScrollArea {
   /// Findings of a check. @param checked  false: none was made, or it is no longer true.
   void show_findings(const std::vector<author::Finding>& findings, bool checked);
   void focus_name();
+  /// Gives the keyboard to the curve of the width along the stroke.
+  void focus_curve();
+  /// Adds a part of the strokes that are chosen in the list, else of those that are in no part.
+  void add_part();
+  /// Removes the chosen part. @return whether one is chosen.
+  bool remove_part();
 
   [[nodiscard]] QSize sizeHint() const override;
 
@@ -38,10 +46,17 @@ class WorkshopPanel final : public QScrollArea {
   // The teacher chose something.
   void tool_changed(double width, double depth, int ending, int stamp);
   void stroke_chosen(std::size_t stroke);
+  /// In a curve of the chosen stroke, of which the half width or depth at a point is moved.
+  void point_chosen(std::size_t point);
+  void half_width_moved(std::size_t point, double half_width, bool goes_on);
+  void depth_moved(std::size_t point, double depth, bool goes_on);
+  void curve_said(const QString& sentence);
   /// A stroke was dragged to another place in the list.
   void stroke_dragged(std::size_t from, std::size_t to);
-  /// Name, readings, meanings, licence or author were typed.
+  /// Name, readings, meanings, radical, parts, licence or author were typed.
   void facts_typed(const nazori::author::Facts& facts);
+  /// What was typed into a field cannot be read. The field shows what it had before.
+  void text_refused(const QString& sentence);
   void finding_chosen(const nazori::author::Finding& finding);
 
  private:
@@ -55,7 +70,9 @@ class WorkshopPanel final : public QScrollArea {
   QFormLayout* tool_form_;
   QLabel* selection_;
   QListWidget* strokes_;
-  QLineEdit *name_, *readings_, *meanings_, *licence_, *author_;
+  GrooveCurve *width_curve_, *depth_curve_;
+  QLineEdit *name_, *readings_, *meanings_, *radical_, *licence_, *author_;
+  PartsEditor* parts_;
   QLabel *source_, *findings_words_;
   QListWidget* findings_list_;
   author::Facts facts_;
