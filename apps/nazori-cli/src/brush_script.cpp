@@ -197,4 +197,15 @@ std::vector<PenSample> samples_of(const std::vector<kanji::StrokeLine>& lines, d
   return std::move(pen).samples();
 }
 
+std::vector<PenSample> samples_of(const std::vector<calligraphy::ModelStroke>& strokes,
+                                  const calligraphy::BrushWidths& widths) {
+  Pen pen;
+  for (const calligraphy::ModelStroke& stroke : strokes) {
+    for (std::size_t i = 0; i < stroke.points.size(); ++i)
+      pen.go_to(stroke.points[i], {}, widths.pressure_for(stroke.half_width_m[i]));
+    pen.lift();
+  }
+  return std::move(pen).samples();
+}
+
 }  // namespace nazori::cli

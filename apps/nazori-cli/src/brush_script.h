@@ -7,6 +7,8 @@
 
 #include "nazori/base/result.h"
 #include "nazori/brush/replay.h"
+#include "nazori/calligraphy/brush_widths.h"
+#include "nazori/calligraphy/ruling.h"
 #include "nazori/kanji/stroke.h"
 
 namespace nazori::cli {
@@ -27,6 +29,10 @@ struct BrushScript {
 /// again at a stop.
 [[nodiscard]] std::vector<brush::PenSample> samples_of(const std::vector<kanji::StrokeLine>& lines,
                                                        double side_m);
+
+/// The strokes of a model that have their own widths, written with a brush that makes them as broad.
+[[nodiscard]] std::vector<brush::PenSample> samples_of(const std::vector<calligraphy::ModelStroke>& strokes,
+                                                       const calligraphy::BrushWidths& widths);
 
 /// Speed of a pen whose times are not known.
 inline constexpr double kPlainSpeed_m_s = 0.06;

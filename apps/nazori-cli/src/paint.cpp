@@ -15,6 +15,7 @@
 #include "brush_script.h"
 #include "characters.h"
 #include "json_answers.h"
+#include "nazori/author/font_model.h"
 #include "nazori/base/utf8.h"
 #include "nazori/brush/aim.h"
 #include "nazori/brush/tuft.h"
@@ -43,6 +44,7 @@ struct PaintSettings {
   std::string output;
   std::string frames;
   std::string database;
+  std::string model_font;
   std::string paper = "hanshi";
   std::string hair = "mixed";
   std::string ink = "sumi";
@@ -154,7 +156,8 @@ base::Result<void> check(const BrushScript& script, const PaintSettings& setting
   }
   if (settings.model && !script.character)
     return base::fail(base::Errc::bad_argument, "does not say which character it is", settings.script,
-                      "give \"char\" in handwriting, or omit --model");
+                      fmt::format("give \"char\" in handwriting, or omit {}",
+                                  settings.model_font.empty() ? "--model" : "--model-font"));
   if (script.samples.empty() && !settings.model)
     return base::fail(base::Errc::bad_argument, "has no strokes", settings.script);
   if (!script.samples.empty() &&
@@ -236,6 +239,29 @@ base::Result<exchange::PaintedSheet> paint_sheet(const BrushScript& script,
   return painted;
 }
 
+/// The model as a hand writes it, and the font that it is from; empty: printed lines.
+struct WrittenModel {
+  std::vector<brush::PenSample> samples;
+  std::string font;
+};
+
+base::Result<WrittenModel> written_model(Console& console, const kanji::Character& character,
+                             const PaintSettings& settings) {
+  const double side_m = settings.size_mm * 1e-3;
+  if (!settings.model_font.empty()) {
+    const auto form = brush::tuft_form(settings.number, hairs().at(settings.hair));
+    if (!form) return tl::unexpected(form.error());
+    const auto found = author::font_model(character.code_point, character.lines(), settings.model_font);
+    if (found) {
+      const auto strokes = calligraphy::model_strokes(author::grooves_of(found->strokes), {{}, side_m});
+      return WrittenModel{samples_of(strokes, calligraphy::BrushWidths(*form)), settings.model_font};
+    }
+    if (found.error().code != base::Errc::not_found) return tl::unexpected(found.error());
+    console.inform(base::to_line(found.error()) + ": the model has printed lines");
+  }
+  return WrittenModel{samples_of(character.lines(), side_m), {}};
+}
+
 int run(Console& console, const PaintSettings& settings) {
   const auto place = output_file({"--output", settings.output, {".png", ".svg", ".pdf"}});
   if (!place) return console.refuse(place.error());
@@ -244,17 +270,20 @@ int run(Console& console, const PaintSettings& settings) {
   const auto script = read_brush_script(settings.script, settings.size_mm * 1e-3);
   if (!script) return console.refuse(script.error());
   if (auto fine = check(*script, settings); !fine) return console.refuse(fine.error());
-  std::vector<brush::PenSample> model;
+  WrittenModel model;
   if (settings.model) {
     const std::string name = base::encode_utf8(*script->character);
     const auto characters = characters_with_strokes(console, std::vector{name}, settings.database);
     if (!characters) return characters.error();
-    model = samples_of(characters->front().lines(), settings.size_mm * 1e-3);
+    auto made = written_model(console, characters->front(), settings);
+    if (!made) return console.refuse(made.error());
+    model = std::move(*made);
   }
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
-  const auto painted = paint_sheet(*script, model, settings, *place, progress);
+  auto painted = paint_sheet(*script, model.samples, settings, *place, progress);
   progress.clear();
   if (!painted) return console.refuse(painted.error());
+  painted->model_font = model.font;
   if (auto sent = place->deliver(console); !sent) return console.refuse(sent.error());
   if (place->is_console()) return kDone;
   console.print(settings.json
@@ -283,6 +312,10 @@ void add_paint(CLI::App& app, Action& chosen) {
       ->type_name("FOLDER");
   verb->add_flag("--model", s->model,
                  "First write the model of the character that handwriting names, in vermilion");
+  verb->add_option("--model-font", s->model_font,
+                   "The same, as an installed brush font writes it; printed lines where it lacks the "
+                   "character or has other strokes")
+      ->type_name("FAMILY");
   verb->add_flag("--json", s->json, "Print JSON (see docs/command-line.md)");
   const std::string tools = "Brush, ink and paper";
   verb->add_option("--paper", s->paper,
@@ -338,8 +371,12 @@ void add_paint(CLI::App& app, Action& chosen) {
   add_database_option(*verb, s->database);
   verb->footer(
       "Examples:\n  nazori-cli paint session.csv --output session.png --paper gasenshi\n"
-      "  nazori-cli paint writing.json --output writing.png --brush goat --model");
-  verb->callback([s, &chosen] { chosen = [s](Console& console) { return run(console, *s); }; });
+      "  nazori-cli paint writing.json --output writing.png --brush goat --model\n"
+      "  nazori-cli paint writing.json --output writing.png --model-font KouzanBrushFont");
+  verb->callback([s, &chosen] {
+    s->model = s->model || !s->model_font.empty();
+    chosen = [s](Console& console) { return run(console, *s); };
+  });
 }
 
 }  // namespace nazori::cli

@@ -120,6 +120,32 @@ TEST(Paint, TheModelIsWrittenFirst) {
   EXPECT_EQ(answer["samples"], 0);
 }
 
+TEST(Paint, TheModelIsThatOfAFontOrPrintedLinesWhereTheFontLacksIt) {
+  const TemporaryFolder folder;
+  const std::string bar = write(folder / "w.json", R"({"char":"一","strokes":[]})");
+  const std::vector<std::string> font{"--model-font", "KouzanBrushFont"};
+  EXPECT_EQ(painted(folder, bar, {"--model"})["model_font"], "");
+  const auto printed = bytes_of(folder / "p.png");
+  const auto answer = painted(folder, bar, font);
+  EXPECT_EQ(answer["model_font"], "KouzanBrushFont");
+  EXPECT_GT(answer["painted_mm2"], 50);
+  EXPECT_NE(bytes_of(folder / "p.png"), printed);
+
+  const std::string missing = write(folder / "m.json", R"({"char":"剝","strokes":[]})");
+  const Outcome run = nazori_cli({"paint", missing, "--output", folder / "m.png", "--cells", "256", "--after",
+                                  "0", "--model-font", "KouzanBrushFont", "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["model_font"], "");
+  EXPECT_THAT(run.err, HasSubstr("KouzanBrushFont"));
+  EXPECT_THAT(run.err, HasSubstr("printed lines"));
+
+  const std::string nameless = write(folder / "n.json", R"({"strokes":[[[0.1,0.5],[0.9,0.5]]]})");
+  const Outcome refused =
+      nazori_cli({"paint", nameless, "--output", folder / "n.png", "--model-font", "KouzanBrushFont"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--model-font"));
+}
+
 TEST(Paint, ThirtyPicturesASecondGoToTheFolder) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "frames");

@@ -266,8 +266,8 @@ base::Result<InkMap> ink_of(const scan::Photo& photo) {
   constexpr double kLeastArea = 0.0004;  // of a speck, in parts of the box of the ink
   const base::Error full = no_ink("there is nothing but ink in the picture");
   const base::Error empty = no_ink("there is no ink in the picture");
-  const Grey grey =
-      smaller(photo, std::max(1, (std::max(photo.width, photo.height) + kMostSide - 1) / kMostSide));
+  const int shrunk = std::max(1, (std::max(photo.width, photo.height) + kMostSide - 1) / kMostSide);
+  const Grey grey = smaller(photo, shrunk);
   if (std::min(grey.width, grey.height) < 10)
     return base::fail(Errc::bad_argument, "the picture is too narrow", {}, "give at least 10 pixels a side");
   const std::vector<float> paper = paper_of(grey);
@@ -354,6 +354,9 @@ base::Result<InkMap> ink_of(const scan::Photo& photo) {
   if (step < 1) blur(out.level, kInkSide, kInkSide, 0.5 / step);
   out.depth.assign(out.level.size(), 1.0F);
   const double side = geometry::kGlyphSide;
+  const auto to_photo = [shrunk](double pixel) { return (pixel + 0.5) * shrunk - 0.5; };
+  out.place = {to_photo(middle_x - side / 2 * pixels_per_unit),
+               to_photo(middle_y - side / 2 * pixels_per_unit), pixels_per_unit * shrunk};
   return finished(std::move(out), kLeastArea * side * side, empty, full);
 }
 

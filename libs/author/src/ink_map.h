@@ -18,6 +18,13 @@ inline constexpr double kInkPerUnit = (kInkSide - 1) / geometry::kGlyphSide;
 /// Paper on each side of the ink of a picture in its larger direction [glyph units].
 inline constexpr double kInkMargin = 8;
 
+/// Where the glyph box lies in the picture from which its ink comes.
+struct PicturePlace {
+  double left = 0;  ///< of the box [pixels]; centres of pixels are at whole numbers
+  double top = 0;
+  double pixels_per_unit = 1;
+};
+
 /// Ink or grooves in the glyph box: samples on the corners of a lattice from edge to edge, as in a height map
 /// of kInkSide samples.
 struct InkMap {
@@ -26,6 +33,7 @@ struct InkMap {
   std::vector<float> depth;  ///< of the groove, fraction of the tablet's depth; 1 in ink of a picture
   DistanceMap distance;      ///< of `ink`
   bool is_groove = false;    ///< from a height map: depth says where the centre line is
+  PicturePlace place = {};   ///< of a picture
 
   [[nodiscard]] std::size_t index(int x, int y) const { return distance.index(x, y); }
 };

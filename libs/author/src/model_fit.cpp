@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "gaps.h"
 #include "groove_line.h"
@@ -29,6 +31,22 @@ GlyphLine evenly(const GlyphLine& line) {
 }
 
 }  // namespace
+
+base::Result<void> check_known(std::span<const kanji::StrokeLine> character) {
+  constexpr double kFarthest = 10 * geometry::kGlyphSide;
+  const auto fail = [](std::string what) {
+    return base::fail(base::Errc::bad_argument, std::move(what), "character", "give strokes of the database");
+  };
+  if (character.empty()) return fail("has no strokes");
+  if (character.size() > kMostTracedStrokes) return fail("has too many strokes");
+  for (const kanji::StrokeLine& stroke : character) {
+    if (stroke.points.empty()) return fail("has a stroke without points");
+    for (const geometry::GlyphPoint p : stroke.points)
+      if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest))
+        return fail("has a point far outside of the glyph box");
+  }
+  return {};
+}
 
 std::vector<FittedStroke> fitted(const InkMap& map, std::span<const kanji::StrokeLine> character) {
   const double reach = map.is_groove ? kGrooveReach : kInkReach;

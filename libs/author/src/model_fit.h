@@ -9,6 +9,9 @@
 
 namespace nazori::author {
 
+/// @return Errc::bad_argument for strokes that trace_as() refuses.
+[[nodiscard]] base::Result<void> check_known(std::span<const kanji::StrokeLine> character);
+
 /// The strokes of a known character in ink.
 /// @pre strokes with points, all finite.
 [[nodiscard]] std::vector<FittedStroke> fitted(const InkMap& map,

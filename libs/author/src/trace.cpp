@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/author/trace.h"
 
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -40,26 +39,10 @@ base::Result<std::vector<OwnStroke>> strokes_of(const InkMap& map) {
   return strokes;
 }
 
-base::Result<void> check(std::span<const kanji::StrokeLine> character) {
-  constexpr double kFarthest = 10 * geometry::kGlyphSide;
-  const auto fail = [](std::string what) {
-    return base::fail(base::Errc::bad_argument, std::move(what), "character", "give strokes of the database");
-  };
-  if (character.empty()) return fail("has no strokes");
-  if (character.size() > kMostTracedStrokes) return fail("has too many strokes");
-  for (const kanji::StrokeLine& stroke : character) {
-    if (stroke.points.empty()) return fail("has a stroke without points");
-    for (const geometry::GlyphPoint p : stroke.points)
-      if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest))
-        return fail("has a point far outside of the glyph box");
-  }
-  return {};
-}
-
 template <class Picture>
 base::Result<std::vector<FittedStroke>> fitted_to(const Picture& picture,
                                                   std::span<const kanji::StrokeLine> character) {
-  if (auto fine = check(character); !fine) return tl::unexpected(fine.error());
+  if (auto fine = check_known(character); !fine) return tl::unexpected(fine.error());
   const auto ink = ink_of(picture);
   if (!ink) return tl::unexpected(ink.error());
   return fitted(*ink, character);

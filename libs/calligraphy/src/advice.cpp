@@ -56,6 +56,17 @@ writing::WrittenCharacter as_writing(std::span<const BrushStroke* const> strokes
 
 bool is_hiragana(char32_t c) { return c >= 0x3041 && c <= 0x309F; }
 
+/// The character with the lines of the model.
+kanji::Character in_lines_of(const SheetModel& model) {
+  kanji::Character form = model.character;
+  for (std::size_t i = 0; i < model.strokes.size() && i < form.strokes.size(); ++i) {
+    auto& points = form.strokes[i].line.points;
+    points.clear();
+    for (const carving::GroovePoint& point : model.strokes[i]) points.push_back(point.at);
+  }
+  return form;
+}
+
 /// Judges the strokes of one square.
 CharacterAdvice advise_square(std::span<const BrushStroke* const> strokes, const SheetInk& ink,
                               const SheetModel& model, const AdviceOptions& options) {
@@ -63,13 +74,13 @@ CharacterAdvice advise_square(std::span<const BrushStroke* const> strokes, const
   result.character = model.character.code_point;
   result.written = static_cast<int>(strokes.size());
   if (strokes.empty()) return result;
-  const auto form = writing::Model::make(model.character);
+  const auto form = writing::Model::make(in_lines_of(model));
   if (!form) return result;
   auto grade = writing::grade(as_writing(strokes, model.square), *form);
   if (!grade) return result;
 
   const auto lines = model.character.lines();
-  WholePairs whole{.square = model.square, .model = model_strokes(lines, model.square)};
+  WholePairs whole{.square = model.square, .model = strokes_of(model)};
   whole.written.resize(whole.model.size());
   int matched = 0;
   std::vector<bool> is_right(whole.model.size());
@@ -114,6 +125,11 @@ CharacterAdvice advise_square(std::span<const BrushStroke* const> strokes, const
 }
 
 }  // namespace
+
+std::vector<ModelStroke> strokes_of(const SheetModel& model) {
+  return model.strokes.empty() ? model_strokes(model.character.lines(), model.square)
+                               : model_strokes(model.strokes, model.square);
+}
 
 std::vector<CharacterAdvice> advise(std::span<const BrushStroke> strokes, const SheetInk& ink,
                                     std::span<const SheetModel> models, const AdviceOptions& options) {

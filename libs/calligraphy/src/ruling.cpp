@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nazori/geometry/point.h"
+#include "nazori/geometry/polyline.h"
 
 namespace nazori::calligraphy {
 namespace {
@@ -42,6 +42,31 @@ double half_width_at(double along, kanji::StrokeEnding ending) {
   return along < kStops ? kBody : between(kBody, kStop, (along - kStops) / (1 - kStops));
 }
 
+geometry::PaperPoint placed(geometry::GlyphPoint p, const RuledSquare& square) {
+  return {square.middle.x + (p.x / geometry::kGlyphSide - 0.5) * square.side_m,
+          square.middle.y + (0.5 - p.y / geometry::kGlyphSide) * square.side_m};
+}
+
+/// A stroke through corners with points at most kSpacing_m apart.
+/// @param half_width_m  at a share of the way from a corner to the next one, so far along the stroke.
+template <class HalfWidth>
+ModelStroke closely(const geometry::Polyline<geometry::PaperFrame>& corners, HalfWidth half_width_m) {
+  ModelStroke stroke{{corners.front()}, {half_width_m(0, 0.0, 0.0)}};
+  double along = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const double way = geometry::distance(corners[i - 1], corners[i]);
+    if (way <= 0) continue;
+    const int parts = std::max(1, static_cast<int>(std::ceil(way / kSpacing_m)));
+    for (int k = 1; k <= parts; ++k) {
+      const double share = static_cast<double>(k) / parts;
+      stroke.points.push_back(corners[i - 1] + (corners[i] - corners[i - 1]) * share);
+      stroke.half_width_m.push_back(half_width_m(i - 1, share, along + share * way));
+    }
+    along += way;
+  }
+  return stroke;
+}
+
 }  // namespace
 
 std::vector<RuledSquare> ruled_squares(int characters) {
@@ -68,33 +93,29 @@ std::vector<ModelStroke> model_strokes(std::span<const kanji::StrokeLine> lines,
   std::vector<ModelStroke> strokes;
   for (const kanji::StrokeLine& line : lines) {
     geometry::Polyline<geometry::PaperFrame> corners;
-    for (const auto& p : line.points)
-      corners.push_back({square.middle.x + (p.x / geometry::kGlyphSide - 0.5) * square.side_m,
-                         square.middle.y + (0.5 - p.y / geometry::kGlyphSide) * square.side_m});
+    for (const auto& p : line.points) corners.push_back(placed(p, square));
     if (corners.empty()) continue;
-    double length = 0;
-    for (std::size_t i = 1; i < corners.size(); ++i) length += geometry::distance(corners[i - 1], corners[i]);
-    ModelStroke stroke;
-    const auto add = [&](geometry::PaperPoint at, double along) {
-      stroke.points.push_back(at);
-      stroke.half_width_m.push_back(square.side_m *
-                                    half_width_at(length > 0 ? along / length : 0, line.ending));
-    };
-    add(corners.front(), 0);
-    double along = 0;
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-      const double way = geometry::distance(corners[i - 1], corners[i]);
-      if (way <= 0) continue;
-      const int parts = std::max(1, static_cast<int>(std::ceil(way / kSpacing_m)));
-      for (int k = 1; k <= parts; ++k) {
-        const double share = static_cast<double>(k) / parts;
-        add(corners[i - 1] + (corners[i] - corners[i - 1]) * share, along + share * way);
-      }
-      along += way;
-    }
-    strokes.push_back(std::move(stroke));
+    const double length = geometry::arc_length<geometry::PaperFrame>(corners);
+    strokes.push_back(closely(corners, [&](std::size_t /*corner*/, double /*share*/, double along) {
+      return square.side_m * half_width_at(length > 0 ? along / length : 0, line.ending);
+    }));
   }
   return strokes;
+}
+
+std::vector<ModelStroke> model_strokes(std::span<const carving::Groove> strokes, const RuledSquare& square) {
+  std::vector<ModelStroke> all;
+  for (const carving::Groove& stroke : strokes) {
+    geometry::Polyline<geometry::PaperFrame> corners;
+    for (const auto& point : stroke) corners.push_back(placed(point.at, square));
+    if (corners.empty()) continue;
+    all.push_back(closely(corners, [&](std::size_t corner, double share, double /*along*/) {
+      const double from = stroke[corner].half_width;
+      const double to = stroke[std::min(corner + 1, stroke.size() - 1)].half_width;
+      return (from + (to - from) * share) / geometry::kGlyphSide * square.side_m;
+    }));
+  }
+  return all;
 }
 
 int sheets_of(std::u32string_view text, int squares) {

@@ -351,5 +351,65 @@ TEST(Advice, AStrokeWithPressureAmongThoseOfAMouseIsStillJudged) {
   EXPECT_FALSE(has(result, "thin@2"));
 }
 
+/// 三 as another hand writes it: bars in other places, of other lengths and broader.
+SheetModel three_by_hand() {
+  SheetModel model{three(), only_square()};
+  const auto bar = [](double from, double to, double y, double half) {
+    return carving::Groove{{{from, y + 2}, half, 1}, {{to, y}, half, 1}};
+  };
+  model.strokes = {bar(20, 90, 30, 5), bar(32, 78, 52, 4), bar(6, 103, 80, 6)};
+  return model;
+}
+
+TEST(AdviceOnAnotherHand, ComparesWithItsLinesAndWidths) {
+  const SheetModel hand = three_by_hand(), printed{three(), only_square()};
+  const auto written = advice_for(exactly(hand), hand);
+  EXPECT_EQ(names(written), Names{});
+  EXPECT_TRUE(written.is_good);
+  EXPECT_GT(written.covered, 0.97);
+  EXPECT_LT(written.outside, 0.01);
+  // What is right for one is not for the other.
+  EXPECT_TRUE(has(advice_for(exactly(hand), printed), "outside"));
+  EXPECT_TRUE(has(advice_for(exactly(printed), hand), "uncovered"));
+  auto thin = exactly(hand);
+  for (auto& point : thin[2]) point.half_width_m *= 0.45;
+  EXPECT_TRUE(has(advice_for(thin, hand), "thin@2"));
+  EXPECT_FALSE(has(advice_for(thin, printed), "thin@2"));
+}
+
+TEST(AdviceOnAnotherHand, GradesTheFormOfItsLines) {
+  // A bar that the other hand writes steeply is wrong in print, and the other way round.
+  SheetModel hand{three(), only_square()};
+  const auto line = [](geometry::GlyphPoint from, geometry::GlyphPoint to) {
+    return carving::Groove{{from, 3.2, 1}, {to, 3.2, 1}};
+  };
+  hand.strokes = {line({27, 24}, {84, 24}), line({40, 75}, {68, 40}), line({13, 88}, {96, 84})};
+  const auto own = advice_for(exactly(hand), hand);
+  ASSERT_TRUE(own.grade);
+  EXPECT_TRUE(own.grade->mistakes.empty());
+  const auto other = advice_for(exactly(hand), {three(), only_square()});
+  ASSERT_TRUE(other.grade);
+  EXPECT_FALSE(other.grade->mistakes.empty());
+}
+
+TEST(AdviceOnAnotherHand, OutlinesItsStrokes) {
+  const SheetModel hand = three_by_hand();
+  auto strokes = exactly(hand);
+  strokes.erase(strokes.begin() + 1);
+  const auto result = advice_for(strokes, hand);
+  const auto outline = std::find_if(result.marks.begin(), result.marks.end(),
+                                    [](const CorrectionMark& mark) { return mark.stroke == 1; });
+  ASSERT_NE(outline, result.marks.end());
+  ASSERT_FALSE(outline->outline.empty());
+  double left = 1, right = -1;
+  for (const auto at : outline->outline.front()) {
+    left = std::min(left, at.x);
+    right = std::max(right, at.x);
+  }
+  const double side_m = hand.square.side_m;
+  EXPECT_NEAR(left, ((32 - 4) / 109.0 - 0.5) * side_m, 0.0003);
+  EXPECT_NEAR(right, ((78 + 4) / 109.0 - 0.5) * side_m, 0.0003);
+}
+
 }  // namespace
 }  // namespace nazori::calligraphy::test

@@ -132,6 +132,25 @@ TEST(ModelStrokes, ADotIsPressedAndAnEmptyLineLeftOut) {
   EXPECT_NEAR(strokes[0].half_width_m[0], 0.034 * 0.085, 1e-9);
 }
 
+TEST(ModelStrokes, WithOwnWidthsHaveThoseOfTheirPointsAndBetweenThemEvenOnes) {
+  const RuledSquare square{{0.02, -0.01}, 0.05};
+  const carving::Groove sweep{{{0, 0}, 4, 1}, {{0, 0}, 9, 1}, {{54.5, 0}, 2, 1}, {{109, 0}, 0, 1}};
+  const auto strokes = model_strokes(std::vector{sweep, carving::Groove{}}, square);
+  ASSERT_EQ(strokes.size(), 1U);
+  const ModelStroke& stroke = strokes[0];
+  ASSERT_EQ(stroke.points.size(), stroke.half_width_m.size());
+  EXPECT_NEAR(stroke.points.front().x, -0.005, 1e-12);
+  EXPECT_NEAR(stroke.points.front().y, 0.015, 1e-12);
+  EXPECT_NEAR(stroke.points.back().x, 0.045, 1e-12);
+  const double unit_m = 0.05 / 109;
+  for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+    EXPECT_LE(geometry::distance(stroke.points[i - 1], stroke.points[i]), 0.0005 + 1e-12);
+    const double share = (stroke.points[i].x + 0.005) / 0.05;
+    const double units = share < 0.5 ? 9 + (2 - 9) * share / 0.5 : 2 - 2 * (share - 0.5) / 0.5;
+    EXPECT_NEAR(stroke.half_width_m[i], units * unit_m, 1e-9) << i;
+  }
+}
+
 std::u32string on_sheet(std::u32string_view text, int squares, int sheet) {
   const auto models = models_on_sheet(text, squares, sheet);
   return {models.begin(), models.end()};

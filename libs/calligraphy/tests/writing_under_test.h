@@ -88,7 +88,7 @@ inline void pace(BrushStroke& stroke, const std::function<double(double)>& speed
 inline std::vector<BrushStroke> exactly(const SheetModel& model) {
   std::vector<BrushStroke> written;
   double begins_s = 0;
-  for (const ModelStroke& shape : model_strokes(model.character.lines(), model.square)) {
+  for (const ModelStroke& shape : strokes_of(model)) {
     BrushStroke stroke;
     for (std::size_t i = 0; i < shape.points.size(); ++i) {
       BrushPoint point;

@@ -107,11 +107,17 @@ Value to_json(const PrintedSheet& sheet) {
 }
 
 Value to_json(const PaintedSheet& sheet) {
-  return {{"script", sheet.script},     {"file", sheet.file},
-          {"paper", sheet.paper},       {"brush", sheet.brush},
-          {"size", sheet.size},         {"samples", sheet.samples},
-          {"seconds", sheet.seconds},   {"painted_mm2", sheet.painted_mm2},
-          {"ink_left", sheet.ink_left}, {"frames", sheet.frames}};
+  return {{"script", sheet.script},
+          {"file", sheet.file},
+          {"paper", sheet.paper},
+          {"brush", sheet.brush},
+          {"size", sheet.size},
+          {"samples", sheet.samples},
+          {"seconds", sheet.seconds},
+          {"painted_mm2", sheet.painted_mm2},
+          {"ink_left", sheet.ink_left},
+          {"frames", sheet.frames},
+          {"model_font", sheet.model_font}};
 }
 
 HandTracking tracking_of(const devices::HandReport& hand) {

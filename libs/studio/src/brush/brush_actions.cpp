@@ -45,6 +45,8 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
       make("brush_model_beside", tr("Model be&side"), tr("Show the model beside the paper"), "3", true);
   next_ruling =
       make("brush_ruling", tr("Other &ruling"), tr("Rule the sheet for 0, 1, 2, 4 or 6 characters"), "R");
+  next_font = make("brush_font", tr("Other f&ont"),
+                   tr("Take the model from the next brush font, or as printed lines"), "F");
   model_text = make("brush_model_text", tr("Model &text…"), tr("Type what you want to write"), "T");
   next_model = make("brush_next_model", tr("Ne&xt part"), tr("Show the next part of the model text"), ".");
   previous_model =
@@ -55,8 +57,8 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
                            nullptr, guess_pressure, left_hand, show_brush});
   add_group(tr("S&heet"), {undo, redo, nullptr, dry, new_sheet, next_paper, nullptr, describe, advice,
                            nullptr, save_png, carve, nullptr, tools});
-  add_group(tr("&Model"), {model_none, model_beneath, model_beside, nullptr, next_ruling, nullptr, model_text,
-                           next_model, previous_model});
+  add_group(tr("&Model"), {model_none, model_beneath, model_beside, nullptr, next_ruling, next_font, nullptr,
+                           model_text, next_model, previous_model});
 }
 
 }  // namespace nazori::ui

@@ -12,13 +12,11 @@
 namespace nazori::ui {
 
 void BrushPage::request_advice() {
-  const auto squares = model_squares();
-  const auto characters = models();
-  std::vector<calligraphy::SheetModel> standing;
-  for (std::size_t i = 0; i < characters.size() && i < squares.size(); ++i)
-    if (const auto found = characters_.find(characters[i]); found != characters_.end())
-      standing.push_back({found->second, squares[i]});
-  writing_->advise(std::move(standing), {.traced = choice_.place == ModelPlace::beneath});
+  if (awaits_models() && !choice_.font.empty()) {
+    advises_later_ = true;
+    return;
+  }
+  writing_->advise(sheet_models(), {.traced = choice_.place == ModelPlace::beneath});
   wake();
 }
 
@@ -41,6 +39,7 @@ void BrushPage::show_advice(const std::vector<calligraphy::CharacterAdvice>& adv
 }
 
 void BrushPage::clear_advice() {
+  advises_later_ = false;
   if (!actions_->advice->isChecked()) return;
   actions_->advice->setChecked(false);
   paper_->show_marks({});

@@ -97,6 +97,14 @@ void BrushPage::connect_actions() {
     choose_ruling(all[static_cast<std::size_t>(at + 1) % all.size()]);
     parts().respond(Feedback::hint, ruling_name(choice_.ruling));
   });
+  on(actions_->next_font, [this] {
+    if (!fonts_) return;
+    if (fonts_->empty()) return parts().respond(Feedback::hint, font_packages_words(*fonts_));
+    const auto at = std::find_if(fonts_->begin(), fonts_->end(),
+                                 [this](const auto& one) { return one.family == font(); });
+    const auto next = at == fonts_->end() ? fonts_->begin() : at + 1;
+    choose_font(next == fonts_->end() ? std::string() : std::string(next->family));
+  });
   on(actions_->model_text, [this] {
     if (!actions_->tools->isChecked()) actions_->tools->trigger();
     panel_->focus_text();
@@ -118,6 +126,8 @@ void BrushPage::connect_panel() {
           [this](const QString& paper) { choose_paper(paper.toStdString()); });
   connect(panel_, &BrushToolsPanel::ruling_chosen, this, &BrushPage::choose_ruling);
   connect(panel_, &BrushToolsPanel::place_chosen, this, &BrushPage::choose_place);
+  connect(panel_, &BrushToolsPanel::font_chosen, this,
+          [this](const QString& family) { choose_font(family.toStdString()); });
   connect(panel_, &BrushToolsPanel::text_typed, this, [this](const QString& text) {
     choice_.text = text;
     part_ = 0;

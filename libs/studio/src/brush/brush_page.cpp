@@ -55,6 +55,7 @@ BrushPage::BrushPage(WindowParts& parts)
   connect_actions();
   connect_panel();
   connect_paper();
+  connect_font_models();
   subscribe(parts.library().characters_ready, this, [this](const std::vector<kanji::Character>& characters) {
     for (const auto& character : characters) characters_[character.code_point] = character;
     if (entered_) show_model();
@@ -93,6 +94,10 @@ void BrushPage::load(const QSettings& settings) {
   choice_.brush.hair = base::named_setting(values, "hair", calligraphy::kHairs, choice_.brush.hair);
   choice_.ruling = static_cast<int>(base::number_setting(values, "ruling", choice_.ruling, 0, 6));
   choice_.place = base::named_setting(values, "model", kPlaces, choice_.place);
+  const auto fonts = author::brush_fonts();
+  const std::string font(base::text_setting(values, "font"));
+  if (std::any_of(fonts.begin(), fonts.end(), [&](const auto& one) { return one.family == font; }))
+    choice_.font = font;
   choice_.text = to_text(base::text_setting(values, "text"));
   choice_.guess_pressure = base::flag_setting(values, "guess_pressure", choice_.guess_pressure);
   choice_.left_hand = base::flag_setting(values, "left_hand", parts().preferences().left_handed);
@@ -118,6 +123,7 @@ void BrushPage::save(QSettings& settings) const {
                           std::string(calligraphy::kHairs[static_cast<std::size_t>(choice_.brush.hair)]));
   base::set_number(values, "ruling", choice_.ruling);
   values.insert_or_assign("model", std::string(kPlaces[static_cast<std::size_t>(choice_.place)]));
+  values.insert_or_assign("font", choice_.font);
   values.insert_or_assign("text", choice_.text.toStdString());
   base::set_flag(values, "guess_pressure", choice_.guess_pressure);
   base::set_flag(values, "left_hand", choice_.left_hand);
@@ -134,6 +140,7 @@ void BrushPage::enter() {
       ->setDirection(parts().preferences().left_handed ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight);
   show_place();
   panel_->show_ruling(choice_.ruling);
+  if (!fonts_) font_models_.list();
   request_model();
   parts().note_opened();
   parts().announce(Feedback::hint,
@@ -186,62 +193,6 @@ void BrushPage::show_frame(const calligraphy::BrushFrame& frame) {
     parts().announce(Feedback::advice, tr("The brush is almost dry. I: dip it in ink."));
   }
   if (writing_->is_busy()) wake();
-}
-
-std::u32string BrushPage::model_text() const {
-  std::u32string text = choice_.text.trimmed().toStdU32String();
-  if (!text.empty()) return text;
-  const auto& sheet = parts().practice().sheet();
-  return std::u32string(1, sheet ? sheet->character.code_point : parts().preferences().kanji);
-}
-
-std::vector<char32_t> BrushPage::models() const {
-  return calligraphy::models_on_sheet(model_text(), std::max(choice_.ruling, 1), part_);
-}
-
-void BrushPage::request_model() {
-  clear_advice();
-  if (const auto& sheet = parts().practice().sheet())
-    characters_[sheet->character.code_point] = sheet->character;
-  std::vector<char32_t> missing;
-  for (const char32_t c : models())
-    if (!characters_.contains(c) && std::find(missing.begin(), missing.end(), c) == missing.end())
-      missing.push_back(c);
-  if (!missing.empty()) parts().library().request_characters(missing);
-  show_model();
-}
-
-std::vector<calligraphy::RuledSquare> BrushPage::model_squares() const {
-  auto squares = calligraphy::ruled_squares(choice_.ruling);
-  return squares.empty() ? std::vector{calligraphy::only_square()} : squares;
-}
-
-void BrushPage::show_model() {
-  const auto ruled = calligraphy::ruled_squares(choice_.ruling);
-  const auto squares = model_squares();
-  std::vector<calligraphy::ModelStroke> all;
-  const auto characters = models();
-  for (std::size_t i = 0; i < characters.size() && i < squares.size(); ++i) {
-    const auto found = characters_.find(characters[i]);
-    if (found == characters_.end()) continue;
-    for (auto& stroke : calligraphy::model_strokes(found->second.lines(), squares[i]))
-      all.push_back(std::move(stroke));
-  }
-  paper_->show_model(std::move(all), ruled, choice_.place);
-  panel_->show_model_words(model_words());
-  paper_->setAccessibleDescription(sheet_words());
-}
-
-QString BrushPage::model_words() const {
-  if (choice_.place == ModelPlace::none) return tr("No model.");
-  QString text;
-  for (const char32_t c : models()) text += to_text(c);
-  QString words = choice_.place == ModelPlace::beneath ? tr("Model beneath: %1.").arg(text)
-                                                       : tr("Model beside: %1.").arg(text);
-  const int sheets = calligraphy::sheets_of(model_text(), std::max(choice_.ruling, 1));
-  if (sheets <= 1) return words;
-  const int at = ((part_ % sheets) + sheets) % sheets;
-  return words + QLatin1Char(' ') + tr("Part %1 of %2.").arg(at + 1).arg(sheets);
 }
 
 QString BrushPage::sheet_words() const {

@@ -2,6 +2,7 @@
 #include "nazori/studio/brush/brush_words.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
 namespace nazori::ui {
@@ -65,6 +66,25 @@ QString brush_size_name(calligraphy::BrushSize size) {
 
 QString ruling_name(int characters) {
   return characters == 0 ? Words::tr("No ruling") : Words::tr("%n characters", nullptr, characters);
+}
+
+QString font_name(std::string_view family) {
+  return family.empty() ? Words::tr("Printed lines")
+                        : QString::fromUtf8(family.data(), static_cast<qsizetype>(family.size()));
+}
+
+QString font_packages_words(std::span<const author::BrushFont> installed) {
+  QStringList packages;
+  for (const author::BrushFont& font : author::brush_fonts()) {
+    const auto is_it = [&font](const author::BrushFont& one) { return one.family == font.family; };
+    if (std::any_of(installed.begin(), installed.end(), is_it)) continue;
+    const QString name =
+        QString::fromLatin1(font.package.data(), static_cast<qsizetype>(font.package.size()));
+    if (!packages.contains(name)) packages.append(name);
+  }
+  if (packages.isEmpty()) return {};
+  return Words::tr("For more fonts, install %1 and start Nazori again.")
+      .arg(packages.join(QStringLiteral(", ")));
 }
 
 QString brush_words(const calligraphy::SheetState& state) {

@@ -132,10 +132,14 @@ BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
   place_->addItem(tr("None"), static_cast<int>(ModelPlace::none));
   place_->addItem(tr("Beneath"), static_cast<int>(ModelPlace::beneath));
   place_->addItem(tr("Beside"), static_cast<int>(ModelPlace::beside));
+  font_ = add_box("brush_font_box", tr("Font"), model_form);
   text_ = named(new QLineEdit(content_), "brush_text", tr("Text of the model"));
   text_->setPlaceholderText(tr("Current character"));
   text_->setMaxLength(200);
   model_form->addRow(tr("Text"), text_);
+  font_hint_ = text_label("brush_font_hint", content_, "muted");
+  column->addWidget(font_hint_);
+  show_fonts({}, {});
   column->addStretch(1);
   make_scrolling(this, content_);
 
@@ -150,6 +154,7 @@ BrushToolsPanel::BrushToolsPanel(const BrushActions& actions, QWidget* parent)
           [this] { emit ruling_chosen(ruling_->currentData().toInt()); });
   connect(place_, &QComboBox::activated, this,
           [this] { emit place_chosen(static_cast<ModelPlace>(place_->currentData().toInt())); });
+  connect(font_, &QComboBox::activated, this, [this] { emit font_chosen(font_->currentData().toString()); });
   connect(text_, &QLineEdit::textEdited, this, &BrushToolsPanel::text_typed);
   connect(text_, &QLineEdit::returnPressed, this, &BrushToolsPanel::text_entered);
 }
@@ -174,6 +179,17 @@ void BrushToolsPanel::show_state(const calligraphy::SheetState& state) {
 
 void BrushToolsPanel::show_ruling(int characters) { choose(ruling_, characters); }
 void BrushToolsPanel::show_place(ModelPlace place) { choose(place_, static_cast<int>(place)); }
+
+void BrushToolsPanel::show_fonts(const std::vector<author::BrushFont>& fonts, const QString& hint) {
+  const QSignalBlocker quiet(font_);
+  font_->clear();
+  font_->addItem(font_name({}), QString());
+  for (const auto& font : fonts) font_->addItem(font_name(font.family), text_of(font.family));
+  font_hint_->setText(hint);
+  font_hint_->setVisible(!hint.isEmpty());
+}
+
+void BrushToolsPanel::show_font(const QString& family) { choose(font_, family); }
 
 void BrushToolsPanel::show_text(const QString& text) {
   if (text_->text() != text) text_->setText(text);

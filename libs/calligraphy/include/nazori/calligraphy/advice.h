@@ -18,7 +18,12 @@ namespace nazori::calligraphy {
 struct SheetModel {
   kanji::Character character;
   RuledSquare square;
+  /// Lines and widths in glyph units, one for each stroke of the character, as of a brush font. Empty: the
+  /// lines of the character with the width of a brush.
+  std::vector<carving::Groove> strokes = {};
 };
+/// The strokes of a model in its square, which are shown and compared.
+[[nodiscard]] std::vector<ModelStroke> strokes_of(const SheetModel& model);
 
 /// What a piece of advice is about. Each is judged apart from the others.
 enum class AdviceKind : std::uint8_t {

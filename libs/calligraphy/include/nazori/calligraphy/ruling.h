@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nazori/calligraphy/tools.h"
+#include "nazori/carving/groove.h"
 #include "nazori/geometry/bristle_segment.h"
 #include "nazori/kanji/stroke.h"
 
@@ -39,6 +40,9 @@ struct ModelStroke {
 };
 /// The strokes of a character in a square.
 [[nodiscard]] std::vector<ModelStroke> model_strokes(std::span<const kanji::StrokeLine> lines,
+                                                     const RuledSquare& square);
+/// The same of strokes that have their own widths, such as those of a font.
+[[nodiscard]] std::vector<ModelStroke> model_strokes(std::span<const carving::Groove> strokes,
                                                      const RuledSquare& square);
 
 /// The characters that stand as models in the squares of a sheet. A short text is repeated, of a long one

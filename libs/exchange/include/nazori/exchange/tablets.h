@@ -87,6 +87,7 @@ struct PaintedSheet {
   double painted_mm2 = 0;   ///< area with pigment, that of the model too
   double ink_left = 0;      ///< in the brush, 0..1
   int frames = 0;           ///< pictures in the folder
+  std::string model_font;   ///< family of the font that the model is from; empty: printed lines, or no model
 };
 [[nodiscard]] Value to_json(const PaintedSheet& sheet);
 

@@ -14,7 +14,8 @@ class BrushActions final : public ActionSet {
   QAction *dip_in_ink, *dip_in_water, *wipe, *thicker, *thinner, *next_hair, *next_ink;
   QAction *guess_pressure, *left_hand, *show_brush;
   QAction *undo, *redo, *dry, *new_sheet, *next_paper, *describe, *advice, *save_png, *carve, *tools;
-  QAction *model_none, *model_beneath, *model_beside, *next_ruling, *model_text, *next_model, *previous_model;
+  QAction *model_none, *model_beneath, *model_beside, *next_ruling, *next_font, *model_text, *next_model,
+      *previous_model;
 };
 
 }  // namespace nazori::ui

@@ -5,9 +5,11 @@
 #include <QTimer>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "nazori/author/font_models.h"
 #include "nazori/calligraphy/brush_writing.h"
 #include "nazori/studio/brush/paper_view.h"
 #include "nazori/widgets/events/event_loop_inbox.h"
@@ -47,6 +49,8 @@ class BrushPage final : public Page {
   void write(const QString& path);
   /// What is on the sheet; null before the page was first entered.
   [[nodiscard]] const calligraphy::BrushWriting* writing() const { return writing_.get(); }
+  /// Whether models of a font are being made, or it is not known yet which fonts there are.
+  [[nodiscard]] bool awaits_models() const { return !fonts_ || font_models_.is_busy(); }
 
  private:
   /// What the settings keep.
@@ -56,6 +60,7 @@ class BrushPage final : public Page {
     calligraphy::BrushChoice brush;
     int ruling = 1;
     ModelPlace place = ModelPlace::beneath;
+    std::string font;  ///< brush font of the model; empty: printed lines
     QString text;
     bool guess_pressure = true;
     bool left_hand = false;
@@ -67,6 +72,7 @@ class BrushPage final : public Page {
   void connect_actions();
   void connect_panel();
   void connect_paper();
+  void connect_font_models();
   void start_writing();
   void show_frame(const calligraphy::BrushFrame& frame);
   void show_outcome(const calligraphy::Outcome& outcome);
@@ -78,12 +84,22 @@ class BrushPage final : public Page {
   void choose_paper(const std::string& paper);
   void choose_ruling(int characters);
   void choose_place(ModelPlace place);
+  void choose_font(const std::string& family);
   void show_place();
   void turn_model(int by);
   void set_handling();
   /// Shows the model, and asks for strokes that are not known yet.
   void request_model();
   void show_model();
+  void draw_model();
+  void request_font_models();
+  void show_fonts(const std::vector<author::BrushFont>& fonts);
+  void note_model(const author::MadeModel& made);
+  void note_all_models();
+  /// The font of the model if it is installed; empty: printed lines.
+  [[nodiscard]] std::string font() const;
+  /// The models whose strokes are known, each in its square.
+  [[nodiscard]] std::vector<calligraphy::SheetModel> sheet_models() const;
   void request_advice();
   void show_advice(const std::vector<calligraphy::CharacterAdvice>& advice);
   void clear_advice();
@@ -108,9 +124,15 @@ class BrushPage final : public Page {
   bool warned_dry_ = false;  ///< said once for each time that the brush runs dry
   int part_ = 0;             ///< of a model text that needs several sheets
   std::map<char32_t, kanji::Character> characters_;
+  std::optional<std::vector<author::BrushFont>> fonts_;       ///< that are installed, once this is known
+  std::map<char32_t, std::vector<carving::Groove>> in_font_;  ///< models of font(); empty: it has none
+  std::u32string asked_;                                      ///< models of the font that are being made
+  std::u32string refused_;                                    ///< those of them that it does not have
+  bool advises_later_ = false;                                ///< as soon as the models are made
   QTimer timer_;
   QElapsedTimer since_tick_;
   EventLoopInbox inbox_;
+  author::FontModels font_models_{inbox_.inbox()};
   std::unique_ptr<calligraphy::BrushWriting> writing_;  // last: its thread ends first
 };
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <QString>
+#include <span>
 #include <string_view>
 
+#include "nazori/author/font_model.h"
 #include "nazori/calligraphy/sheet_editor.h"
 
 namespace nazori::ui {
@@ -16,6 +18,10 @@ namespace nazori::ui {
 [[nodiscard]] QString brush_size_name(calligraphy::BrushSize size);
 /// "4 characters".
 [[nodiscard]] QString ruling_name(int characters);
+/// The font of a model; an empty family is printed lines.
+[[nodiscard]] QString font_name(std::string_view family);
+/// How to get the brush fonts that are not installed; empty where all of them are.
+[[nodiscard]] QString font_packages_words(std::span<const author::BrushFont> installed);
 
 /// What is in the brush: "Brush: 80% full, ink 100%."
 [[nodiscard]] QString brush_words(const calligraphy::SheetState& state);

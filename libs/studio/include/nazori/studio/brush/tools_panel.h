@@ -3,6 +3,7 @@
 
 #include <QScrollArea>
 
+#include "nazori/author/font_model.h"
 #include "nazori/studio/brush/paper_view.h"
 
 class QCheckBox;
@@ -39,6 +40,10 @@ class BrushToolsPanel final : public QScrollArea {
   void show_state(const calligraphy::SheetState& state);
   void show_ruling(int characters);
   void show_place(ModelPlace place);
+  /// Offers printed lines and these fonts for the model. @param hint  how to get more; may be empty.
+  void show_fonts(const std::vector<author::BrushFont>& fonts, const QString& hint);
+  /// The font that is chosen; empty: printed lines.
+  void show_font(const QString& family);
   void show_text(const QString& text);
   /// What stands as model now, in words.
   void show_model_words(const QString& words);
@@ -56,6 +61,7 @@ class BrushToolsPanel final : public QScrollArea {
   void paper_chosen(const QString& paper);
   void ruling_chosen(int characters);
   void place_chosen(nazori::ui::ModelPlace place);
+  void font_chosen(const QString& family);
   void text_typed(const QString& text);
   void text_entered();
 
@@ -65,8 +71,8 @@ class BrushToolsPanel final : public QScrollArea {
   QWidget* content_;
   InkGauge* gauge_;
   QLabel *advice_heading_, *advice_words_;
-  QLabel *brush_words_, *paper_words_, *model_words_;
-  QComboBox *size_, *hair_, *ink_, *paper_, *ruling_, *place_;
+  QLabel *brush_words_, *paper_words_, *model_words_, *font_hint_;
+  QComboBox *size_, *hair_, *ink_, *paper_, *ruling_, *place_, *font_;
   QLineEdit* text_;
 };
 
