@@ -104,7 +104,7 @@ void place_in_square(OwnStroke& stroke, const PicturePlace& place) {
 
 base::Error without(char32_t character, const std::string& family, const char* what) {
   return {base::Errc::not_found, fmt::format("U+{:04X} {}", static_cast<unsigned>(character), what),
-          "font " + family};
+          "font " + family, "choose another font"};
 }
 
 }  // namespace

@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::GrooveCurve</name>
+    <message numerus="yes">
+        <source>%n points. Left and Right choose one.</source>
+        <translation>
+            <numerusform>%n point. Left and Right choose one.</numerusform>
+            <numerusform>%n points. Left and Right choose one.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::HomeView</name>
     <message numerus="yes">
         <source>%n characters were forgotten too often and taken out of reviews: %1</source>
@@ -156,6 +166,16 @@
         <translation>
             <numerusform>%n character</numerusform>
             <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PartWords</name>
+    <message numerus="yes">
+        <source>%1: strokes %2</source>
+        <translation>
+            <numerusform>%1: stroke %2</numerusform>
+            <numerusform>%1: strokes %2</numerusform>
         </translation>
     </message>
 </context>

@@ -776,19 +776,19 @@
     </message>
     <message>
         <source>Ne&amp;xt part</source>
-        <translation>次の部分(&amp;X)</translation>
+        <translation>次のパーツ(&amp;X)</translation>
     </message>
     <message>
         <source>Show the next part of the model text</source>
-        <translation>手本の文字の次の部分を表示します</translation>
+        <translation>手本の文字の次のパーツを表示します</translation>
     </message>
     <message>
         <source>Pre&amp;vious part</source>
-        <translation>前の部分(&amp;V)</translation>
+        <translation>前のパーツ(&amp;V)</translation>
     </message>
     <message>
         <source>Show the previous part of the model text</source>
-        <translation>手本の文字の前の部分を表示します</translation>
+        <translation>手本の文字の前のパーツを表示します</translation>
     </message>
     <message>
         <source>&amp;Brush</source>
@@ -813,6 +813,14 @@
     <message>
         <source>Save the sheet as a picture (PNG) or a page (PDF), or its strokes (SVG)</source>
         <translation>紙を画像（PNG）やページ（PDF）で、画を SVG で保存します</translation>
+    </message>
+    <message>
+        <source>Other f&amp;ont</source>
+        <translation>ほかの書体(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Take the model from the next brush font, or as printed lines</source>
+        <translation>手本を次の筆書体、または活字の線にします</translation>
     </message>
 </context>
 <context>
@@ -957,6 +965,22 @@
         <source>Page at real size (*.pdf)</source>
         <translation>実寸のページ (*.pdf)</translation>
     </message>
+    <message>
+        <source>The font %1 is not installed: the model has printed lines.</source>
+        <translation>書体「%1」が入っていません。手本は活字の線になります。</translation>
+    </message>
+    <message>
+        <source>%1 has printed lines: %2 does not have it with the same strokes.</source>
+        <translation>%1は活字の線です。%2には同じ画のこの文字がありません。</translation>
+    </message>
+    <message>
+        <source>Model: %1.</source>
+        <translation>手本：%1。</translation>
+    </message>
+    <message>
+        <source>Font: %1.</source>
+        <translation>書体：%1。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::BrushToolsPanel</name>
@@ -1027,6 +1051,10 @@
     <message>
         <source>Advice (not a mark)</source>
         <translation>助言（採点ではありません）</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>フォント</translation>
     </message>
 </context>
 <context>
@@ -1170,6 +1198,14 @@
     <message>
         <source>The next sheet is back: %1.</source>
         <translation>次の紙に進みました：%1。</translation>
+    </message>
+    <message>
+        <source>Printed lines</source>
+        <translation>活字の線</translation>
+    </message>
+    <message>
+        <source>For more fonts, install %1 and start Nazori again.</source>
+        <translation>ほかの書体を使うには、%1 を入れてから Nazori を起動し直してください。</translation>
     </message>
 </context>
 <context>
@@ -3018,7 +3054,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Go to the start of this branch of the curve</source>
-        <translation>曲線のこの部分の始まりへ移ります</translation>
+        <translation>曲線のこのパーツの始まりへ移ります</translation>
     </message>
     <message>
         <source>To the &amp;end</source>
@@ -3026,7 +3062,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Go to the end of this branch of the curve</source>
-        <translation>曲線のこの部分の終わりへ移ります</translation>
+        <translation>曲線のこのパーツの終わりへ移ります</translation>
     </message>
     <message>
         <source>&amp;Next curve or branch</source>
@@ -3418,6 +3454,59 @@ Columns and rows:</source>
     <message>
         <source>There is no plot to make a model of yet.</source>
         <translation>模型にするグラフがまだありません。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::GrooveCurve</name>
+    <message>
+        <source>Width along the stroke</source>
+        <translation>画に沿った太さ</translation>
+    </message>
+    <message>
+        <source>Depth along the stroke</source>
+        <translation>画に沿った深さ</translation>
+    </message>
+    <message>
+        <source>Drag a point up or down. Left and Right: other point. Up and Down: wider, thinner</source>
+        <translation>点を上下にドラッグします。左右キー：別の点、上下キー：太く・細く</translation>
+    </message>
+    <message>
+        <source>Drag a point up or down. Left and Right: other point. Up and Down: shallower, deeper</source>
+        <translation>点を上下にドラッグします。左右キー：別の点、上下キー：浅く・深く</translation>
+    </message>
+    <message>
+        <source>No stroke is chosen.</source>
+        <translation>画が選ばれていません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points. Left and Right choose one.</source>
+        <translation>
+            <numerusform>点は%n個。左右キーで選びます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: %3</source>
+        <translation>点%1（全%2）：%3</translation>
+    </message>
+    <message>
+        <source>depth %1%</source>
+        <translation>深さ%1%</translation>
+    </message>
+    <message>
+        <source>width %1</source>
+        <translation>太さ%1</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深さ</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>太さ</translation>
+    </message>
+    <message>
+        <source>%1%</source>
+        <translation>%1%</translation>
     </message>
 </context>
 <context>
@@ -4548,6 +4637,10 @@ Columns and rows:</source>
         <source>The most frequent</source>
         <translation>よく使われる文字</translation>
     </message>
+    <message>
+        <source>My characters</source>
+        <translation>自作の文字</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::ListChoice</name>
@@ -4590,6 +4683,10 @@ Columns and rows:</source>
     <message>
         <source>Tag: %1</source>
         <translation>タグ：%1</translation>
+    </message>
+    <message>
+        <source>My characters</source>
+        <translation>自作の文字</translation>
     </message>
 </context>
 <context>
@@ -4820,6 +4917,17 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::OwnNames</name>
+    <message>
+        <source>own character</source>
+        <translation>自作の文字</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>「%1」</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::PageRail</name>
     <message>
         <source>Pages</source>
@@ -4849,6 +4957,58 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::PartWords</name>
+    <message>
+        <source>No name yet</source>
+        <translation>名前なし</translation>
+    </message>
+    <message>
+        <source>%1: no strokes</source>
+        <translation>%1：画なし</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: strokes %2</source>
+        <translation>
+            <numerusform>%1：%2画目</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PartsEditor</name>
+    <message>
+        <source>Parts</source>
+        <translation>パーツ</translation>
+    </message>
+    <message>
+        <source>Name of the part</source>
+        <translation>パーツの名前</translation>
+    </message>
+    <message>
+        <source>Strokes of the part</source>
+        <translation>パーツの画</translation>
+    </message>
+    <message>
+        <source>1, 2 or 1-3</source>
+        <translation>1, 2 または 1-3</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>画</translation>
+    </message>
+    <message>
+        <source>There are no strokes yet.</source>
+        <translation>まだ画がありません。</translation>
+    </message>
+    <message>
+        <source>“%1” does not name strokes. Type numbers from 1 to %2: 1, 2 or 1-3.</source>
+        <translation>「%1」は画の番号ではありません。1から%2までの番号を入力してください（1, 2 または 1-3）。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::PeriodPicture</name>
     <message>
         <source>Week of %1</source>
@@ -4871,6 +5031,57 @@ Columns and rows:</source>
         <translation>
             <numerusform>学習日数：%n日</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PlotDialog</name>
+    <message>
+        <source>Expression</source>
+        <translation>式</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>描画</translation>
+    </message>
+    <message>
+        <source>A function plot</source>
+        <translation>関数のグラフ</translation>
+    </message>
+    <message>
+        <source>&amp;Expression</source>
+        <translation>式(&amp;E)</translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation>x の下限</translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation>x の上限</translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation>y の下限</translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation>y の上限</translation>
+    </message>
+    <message>
+        <source>&amp;Make the relief</source>
+        <translation>彫る(&amp;M)</translation>
+    </message>
+    <message>
+        <source>This cannot be drawn: %1.</source>
+        <translation>描けません：%1。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>「%1」は数ではありません。</translation>
+    </message>
+    <message>
+        <source>This range cannot be shown: %1.</source>
+        <translation>この範囲は表示できません：%1。</translation>
     </message>
 </context>
 <context>
@@ -4976,10 +5187,6 @@ Columns and rows:</source>
         <translation>音量</translation>
     </message>
     <message>
-        <source>Column %1: %2; %3.</source>
-        <translation>%1文字目：%2。%3。</translation>
-    </message>
-    <message>
         <source>z from</source>
         <translation>z の下限</translation>
     </message>
@@ -4994,6 +5201,13 @@ Columns and rows:</source>
     <message>
         <source>Range</source>
         <translation>範囲</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PlotText</name>
+    <message>
+        <source>Column %1: %2; %3.</source>
+        <translation>%1文字目：%2。%3。</translation>
     </message>
 </context>
 <context>
@@ -6142,7 +6356,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Stroke %1 is written, but stroke %2 is not finished: the blue bit is missing.</source>
-        <translation>%1画目を書きましたが、%2画目は途中です。青い部分が残っています。</translation>
+        <translation>%1画目を書きましたが、%2画目は途中です。青いパーツが残っています。</translation>
     </message>
     <message>
         <source>Stroke %1 is written, but stroke %2 comes first. Write it now.</source>
@@ -6156,11 +6370,11 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Stroke %1 is not finished: the blue bit is missing. Draw on from there.</source>
-        <translation>%1画目は途中です。青い部分を続けて書いてください。</translation>
+        <translation>%1画目は途中です。青いパーツを続けて書いてください。</translation>
     </message>
     <message>
         <source>Stroke %1 is not finished: draw the blue bit first.</source>
-        <translation>%1画目は途中です。先に青い部分を書いてください。</translation>
+        <translation>%1画目は途中です。先に青いパーツを書いてください。</translation>
     </message>
     <message>
         <source>Stroke %1 comes before stroke %2.</source>
@@ -8489,6 +8703,70 @@ Columns and rows:</source>
         <source>&amp;Look</source>
         <translation>見え方(&amp;L)</translation>
     </message>
+    <message>
+        <source>N&amp;umber</source>
+        <translation>番号(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Choose the number of the stroke. Arrow keys or the mouse move it</source>
+        <translation>画の番号を選びます。矢印キーやマウスで動かせます</translation>
+    </message>
+    <message>
+        <source>Place the number a&amp;utomatically</source>
+        <translation>番号を自動で置く(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Let the program place the number of the stroke again</source>
+        <translation>画の番号の位置をもう一度自動で決めます</translation>
+    </message>
+    <message>
+        <source>&amp;Width and depth along the stroke</source>
+        <translation>画に沿った太さと深さ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Change width and depth along the stroke: Left and Right choose a point, Up and Down change it</source>
+        <translation>画に沿って太さと深さを変えます。左右キーで点を選び、上下キーで変えます</translation>
+    </message>
+    <message>
+        <source>From a function p&amp;lot…</source>
+        <translation>関数のグラフから(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Begin with the plot of a function as the relief</source>
+        <translation>関数のグラフを彫ったものから始めます</translation>
+    </message>
+    <message>
+        <source>&amp;Keep among my characters</source>
+        <translation>自作の文字に登録(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Lists, search, study and worksheets have it then like any other</source>
+        <translation>一覧・検索・学習・プリントで、ほかの文字と同じように使えます</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke out of my characters</source>
+        <translation>自作の文字から外す(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Lists, search, study and worksheets no longer have it; what you learned stays</source>
+        <translation>一覧・検索・学習・プリントから外します。学習の記録は残ります</translation>
+    </message>
+    <message>
+        <source>&amp;Add a part</source>
+        <translation>パーツを加える(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Add a part of the strokes that are chosen in the list, or else of those in no part</source>
+        <translation>一覧で選んだ画、なければどのパーツにも入っていない画を、パーツとして加えます</translation>
+    </message>
+    <message>
+        <source>Rem&amp;ove the part</source>
+        <translation>パーツを外す(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Remove the chosen part; strokes stay</source>
+        <translation>選んだパーツを外します。画は残ります</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::WorkshopPage</name>
@@ -8698,6 +8976,66 @@ Columns and rows:</source>
         <source>Pen down. Move it with the arrow keys; space lifts it.</source>
         <translation>ペンを下ろしました。矢印キーで動かし、スペースで上げます。</translation>
     </message>
+    <message>
+        <source>Give the character a name first.</source>
+        <translation>先に文字の名前を入力してください。</translation>
+    </message>
+    <message>
+        <source>The character could not be kept: %1.</source>
+        <translation>文字を登録できませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>There is a character called “%1” among yours already.</source>
+        <translation>「%1」という名前の文字はすでに登録されています。</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>両方残す</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>“%1” is among your characters now: in lists, search, study and worksheets.</source>
+        <translation>「%1」を自作の文字に登録しました。一覧・検索・学習・プリントで使えます。</translation>
+    </message>
+    <message>
+        <source>This is not one of your kept characters. Open one of them with C first.</source>
+        <translation>登録した文字ではありません。先にCキーで登録した文字を開いてください。</translation>
+    </message>
+    <message>
+        <source>Take “%1” out of your characters? What you learned of it stays.</source>
+        <translation>「%1」を自作の文字から外しますか？ 学習の記録は残ります。</translation>
+    </message>
+    <message>
+        <source>Take it out</source>
+        <translation>外す</translation>
+    </message>
+    <message>
+        <source>The character could not be taken out: %1.</source>
+        <translation>文字を外せませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>“%1” is no longer among your characters. A keeps it again.</source>
+        <translation>「%1」を自作の文字から外しました。Aキーでもう一度登録できます。</translation>
+    </message>
+    <message>
+        <source>The program places the number.</source>
+        <translation>番号は自動で置かれます。</translation>
+    </message>
+    <message>
+        <source>Choose a part in the list first.</source>
+        <translation>先に一覧でパーツを選んでください。</translation>
+    </message>
+    <message>
+        <source>The relief is the plot of %1.</source>
+        <translation>%1 のグラフを彫りました。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::WorkshopPanel</name>
@@ -8810,6 +9148,22 @@ Columns and rows:</source>
         <translation>
             <numerusform>指摘%n件</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Radical</source>
+        <translation>部首</translation>
+    </message>
+    <message>
+        <source>1 to 214</source>
+        <translation>1〜214</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>パーツ</translation>
+    </message>
+    <message>
+        <source>“%1” is not a radical. Type its number, 1 to 214, or its form.</source>
+        <translation>「%1」は部首ではありません。番号（1〜214）か形を入力してください。</translation>
     </message>
 </context>
 <context>
@@ -9126,6 +9480,18 @@ Columns and rows:</source>
         <source>The SVG is not as KanjiVG&apos;s tools expect it.</source>
         <translation>SVG が KanjiVG の道具の求める形になっていません。</translation>
     </message>
+    <message>
+        <source>Its number: %1 from the left, %2 from the top, %3.</source>
+        <translation>番号の位置：左から%1、上から%2、%3。</translation>
+    </message>
+    <message>
+        <source>placed by hand</source>
+        <translation>手で置いた位置</translation>
+    </message>
+    <message>
+        <source>placed by the program</source>
+        <translation>自動の位置</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::WritingPanel</name>
@@ -9238,7 +9604,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Next branch</source>
-        <translation>次の部分</translation>
+        <translation>次のパーツ</translation>
     </message>
     <message>
         <source>End</source>
