@@ -156,7 +156,7 @@ void add_author_keep(CLI::App& author, Action& chosen) {
     verb->add_flag("--beside", s->beside, "Keep it beside a character of the same name")->excludes(replaces);
     verb->add_flag("--json", s->json, "Print JSON (see docs/command-line.md)");
     verb->footer(
-        "Kept characters get code points U+F0000 to U+FFFFD, which name them in other commands.\n\n"
+        "Kept characters get code points U+F0000 to U+FFFFD, which name them in other\ncommands.\n\n"
         "Examples:\n  nazori-cli author keep sign.nazori\n  nazori-cli author keep sign.nazori --replace\n"
         "  nazori-cli worksheet --list own --output mine.pdf");
     verb->callback([s, &chosen] { chosen = [s](Console& console) { return keep(console, *s); }; });
@@ -173,7 +173,7 @@ void add_author_keep(CLI::App& author, Action& chosen) {
   verb->add_option("character", s->character, "Its name, or its code point such as U+F1A2B")->required();
   verb->add_flag("--json", s->json, "Print JSON (see docs/command-line.md)");
   verb->footer(
-      "Its file stays in the folder with the ending .removed, and what was studied of it stays, too.\n\n"
+      "Its file stays in the folder with the ending .removed, and what was studied of\nit stays, too.\n\n"
       "Example:\n  nazori-cli author remove \"our sign\"");
   verb->callback([s, &chosen] { chosen = [s](Console& console) { return remove(console, *s); }; });
 }
