@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +67,9 @@ int keep(Console& console, const AuthorKeepSettings& s) {
   for (const std::string& file : s.files) {
     auto read = read_author_file(file, std::nullopt);
     if (!read) return console.refuse(read.error());
+    // An SVG or a stroke order has no name of its own.
+    if (read->character.facts.name.empty())
+      read->character.facts.name = std::filesystem::path(file).stem().string();
     characters.push_back(std::move(read->character));
   }
   Json answers = Json::array();
@@ -147,7 +151,8 @@ void add_author_keep(CLI::App& author, Action& chosen) {
     CLI::App* verb = author.add_subcommand(
         "keep", "Add characters to yours: lists, search, study and worksheets have them");
     verb->add_option("files", s->files,
-                     "Files .nazori, .svg, .str, .raw or .png; each with a name and strokes")
+                     "Files .nazori, .svg or .str with strokes; without a name of its own, a "
+                     "character is called as its file")
         ->required()
         ->type_name("FILE");
     CLI::Option* const replaces =

@@ -70,6 +70,13 @@ TEST_F(AuthorKeep, AsksWhatToDoWithTheSameName) {
   EXPECT_EQ(run({"author", "kept", "--json"}).out, "[]\n");
 }
 
+TEST_F(AuthorKeep, CallsACharacterWithoutANameAsItsFile) {
+  write(folder_ / "our bar.svg",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 109 109\"><g id=\"kvg:StrokePaths_x\">"
+        "<g id=\"kvg:x\"><path id=\"kvg:x-s1\" d=\"M20,50L90,50\"/></g></g></svg>");
+  EXPECT_THAT(run({"author", "keep", folder_ / "our bar.svg"}).out, HasSubstr("  our bar\n"));
+}
+
 TEST_F(AuthorKeep, KeepsNothingWhereOneFileIsWrong) {
   write(folder_ / "wrong.nazori", "no document");
   EXPECT_EQ(run({"author", "keep", sign(), folder_ / "wrong.nazori"}).code, 2);

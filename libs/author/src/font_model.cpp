@@ -62,6 +62,18 @@ double share_in_ink(const OwnStroke& stroke, const InkMap& map) {
   return static_cast<double>(inside) / static_cast<double>(even.size());
 }
 
+/// Takes away what lies before the first and after the last point in ink: the known character may be larger.
+void end_in_ink(OwnStroke& stroke, const InkMap& map) {
+  const auto has_ink = [&map](const GroovePoint& point) {
+    return between(map.level, geometry::glyph_to_grid(point.at, kInkSide)) > 1;
+  };
+  const auto first = std::ranges::find_if(stroke.points, has_ink);
+  const auto last = std::find_if(stroke.points.rbegin(), stroke.points.rend(), has_ink).base();
+  if (std::distance(first, last) < 2) return;
+  stroke.points.erase(last, stroke.points.end());
+  stroke.points.erase(stroke.points.begin(), first);
+}
+
 FontFit fit_of(const std::vector<FittedStroke>& found, const InkMap& map) {
   FontFit fit{.on_ink = 1, .alone = 1};
   std::vector<std::vector<std::uint8_t>> strokes;
@@ -120,7 +132,7 @@ std::vector<BrushFont> installed_brush_fonts() {
 }
 
 bool is_good_fit(const FontFit& fit) {
-  constexpr double kLeastCovered = 0.88, kMostOutside = 0.12, kLeastOnInk = 0.85, kLeastAlone = 0.3;
+  constexpr double kLeastCovered = 0.83, kMostOutside = 0.12, kLeastOnInk = 0.8, kLeastAlone = 0.3;
   constexpr double kMostMoved = 9;
   return fit.covered >= kLeastCovered && fit.outside <= kMostOutside && fit.on_ink >= kLeastOnInk &&
          fit.alone >= kLeastAlone && fit.moved <= kMostMoved;
@@ -134,6 +146,7 @@ base::Result<FontStrokes> font_strokes(char32_t character, std::span<const kanji
   const auto ink = ink_of(*picture);
   if (!ink) return tl::unexpected(without(character, family, "is empty"));
   std::vector<FittedStroke> found = fitted(*ink, known);
+  for (FittedStroke& one : found) end_in_ink(one.stroke, *ink);
   FontStrokes strokes{.strokes = {}, .fit = fit_of(found, *ink)};
   for (FittedStroke& one : found) {
     place_in_square(one.stroke, ink->place);

@@ -95,6 +95,13 @@ void offer_meanings(SQLite::Statement& keys, std::string_view phrase, Fits& fits
   }
 }
 
+/// Whether an own character is somebody's form of a character: that is its only part.
+bool is_form_of(const Character& own, char32_t character) {
+  const auto& parts = own.components.children;
+  return parts.size() == 1 && parts.front().strokes.size() == own.strokes.size() &&
+         parts.front().element == base::encode_utf8(character);
+}
+
 /// "2429.0" for "24290".
 std::string with_dot(std::string code) {
   constexpr std::size_t kDigits = 4;
@@ -209,6 +216,11 @@ std::vector<Match> KanjiDatabase::Inside::find_matches(const Query& query, bool 
       if (!place || std::find(places.begin(), places.end(), *place) != places.end()) continue;
       fits.offer(*place, Tier::itself, Reason::itself, {});
       places.push_back(*place);
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        if (!is_form_of(own[i], c)) continue;
+        fits.offer(first_own() + i, Tier::itself, Reason::itself, {});
+        places.push_back(first_own() + i);
+      }
     }
   } else {
     if (text.narrow.size() == 1) {

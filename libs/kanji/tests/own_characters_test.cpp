@@ -133,6 +133,20 @@ TEST(OwnCharacters, AreFoundByReadingMeaningPartRadicalAndThemselves) {
   EXPECT_FALSE(database.trouble());
 }
 
+TEST(OwnCharacters, ThatAreFormsOfACharacterComeAfterIt) {
+  Character form = club_sign();
+  Component whole;
+  whole.element = "休";
+  whole.strokes = {0};
+  form.components.children = {whole};
+  Character with_a_part = school_sign();
+  with_a_part.components.children.front().element = "休";
+  const auto opened =
+      KanjiDatabase::open(published_database_file(), std::vector<Character>{with_a_part, form});
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(found(*opened, text("休日")), (std::u32string{U'休', kClubSign, U'日'}));
+}
+
 TEST(OwnCharacters, SayWhyTheyWereFound) {
   const KanjiDatabase database = with_signs();
   const auto matches = database.matches(text("own xylophone"));

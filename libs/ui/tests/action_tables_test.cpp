@@ -320,6 +320,7 @@ brush_carve Ctrl+Shift+C
 *brush_model_beside 3
 -
 brush_ruling R
+brush_font F
 -
 brush_model_text T
 brush_next_model .
@@ -389,6 +390,9 @@ workshop_describe S
 -
 workshop_carve Ctrl+Shift+C
 workshop_export Ctrl+E
+-
+workshop_keep A
+workshop_remove_kept Ctrl+Shift+Del
 [Look]
 workshop_zoom_in + =
 workshop_zoom_out -

@@ -104,15 +104,15 @@ TEST_F(CollectionWindow, WithTheSameNameItIsReplacedOrKeptBesideOrNot) {
   other.facts.meanings = {"another"};
   open(other);
   answer_with(QStringLiteral("Go back"));
-  press(Qt::Key_A);
+  action("workshop_keep")->trigger();
   ASSERT_EQ(kept().size(), 1U);
   EXPECT_EQ(collection().find(kept().front())->facts.meanings.front(), "a sign of ours");
   answer_with(QStringLiteral("Replace it"));
-  press(Qt::Key_A);
+  action("workshop_keep")->trigger();
   ASSERT_EQ(kept().size(), 1U);
   EXPECT_EQ(collection().find(kept().front())->facts.meanings.front(), "another");
   answer_with(QStringLiteral("Keep both"));
-  press(Qt::Key_A);
+  action("workshop_keep")->trigger();
   EXPECT_EQ(kept().size(), 2U);
 }
 
@@ -133,17 +133,17 @@ TEST_F(CollectionWindow, AKeptCharacterIsOpenedChangedAndSavedInItsPlace) {
 
 TEST_F(CollectionWindow, AKeptCharacterIsTakenOutAndStaysInTheWorkshop) {
   const char32_t code_point = collection().keep(sign("our sign")).value();
-  press(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+  action("workshop_remove_kept")->trigger();
   EXPECT_EQ(feedback(),
             QStringLiteral("This is not one of your kept characters. Open one of them with C first."));
   show(code_point);
   press(Qt::Key_2, Qt::AltModifier);
   press(Qt::Key_C);
   answer_with(QStringLiteral("Go back"));
-  press(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+  action("workshop_remove_kept")->trigger();
   EXPECT_EQ(kept().size(), 1U);
   answer_with(QStringLiteral("Take it out"));
-  press(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+  action("workshop_remove_kept")->trigger();
   EXPECT_TRUE(kept().empty());
   EXPECT_EQ(kept_workshop->bench().character(), sign("our sign"));
   EXPECT_EQ(feedback(), QStringLiteral("“our sign” is no longer among your characters. A keeps it again."));

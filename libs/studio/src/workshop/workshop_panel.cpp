@@ -194,7 +194,7 @@ void WorkshopPanel::show_character(const author::Workbench& bench) {
     }
     // Setting the same row again would take away what else is chosen in the list.
     const int row = bench.selection().stroke ? static_cast<int>(*bench.selection().stroke) : -1;
-    if (strokes_->currentRow() != row) strokes_->setCurrentRow(row);
+    if (strokes_->currentRow() != row) strokes_->setCurrentRow(row, QItemSelectionModel::ClearAndSelect);
     if (row < 0) strokes_->clearSelection();
   }
   const auto& chosen_stroke = bench.selection().stroke;
