@@ -8,6 +8,7 @@
 #include <QDBusPendingReply>
 #include <QFileInfo>
 #include <QFont>
+#include <QFontInfo>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QSlider>
@@ -77,6 +78,17 @@ bool has_session_bus() {
          QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/bus"));
 }
 
+/// The same font, and after it fonts for Japanese: for letters that a font lacks the system may choose any
+/// other, also one of a brush or of Chinese forms.
+QFont with_japanese(QFont font) {
+  // "Sans Serif" is no font: the system would look for it among all of the list.
+  QStringList families{QFontInfo(font).family()};
+  for (const char* family : {"Noto Sans CJK JP", "Noto Sans JP", "IPAexGothic"})
+    if (!families.contains(QLatin1String(family))) families.append(QLatin1String(family));
+  font.setFamilies(families);
+  return font;
+}
+
 }  // namespace
 
 Appearance::Appearance(QObject* parent)
@@ -129,7 +141,7 @@ void Appearance::apply(ThemeChoice theme, int text_pt) {
   theme_ = theme;
   text_pt_ = text_pt;
   const Colours& colours = is_dark() ? dark_colours() : light_colours();
-  QFont font = QApplication::font();
+  QFont font = with_japanese(QApplication::font());
   font.setPointSize(text_pt);
   QApplication::setPalette(make_palette(colours));
   // Set the font first: widgets with a style sheet read it when the sheet is set again.
