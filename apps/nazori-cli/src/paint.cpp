@@ -246,7 +246,7 @@ struct WrittenModel {
 };
 
 base::Result<WrittenModel> written_model(Console& console, const kanji::Character& character,
-                             const PaintSettings& settings) {
+                                         const PaintSettings& settings) {
   const double side_m = settings.size_mm * 1e-3;
   if (!settings.model_font.empty()) {
     const auto form = brush::tuft_form(settings.number, hairs().at(settings.hair));
