@@ -269,7 +269,7 @@ TEST_F(Writing, TheListsAreNamedAndOneIsShownUntilSomethingIsSearched) {
       names.join(QLatin1Char('|')),
       QStringLiteral(
           "Grade 1|Grade 2|Grade 3|Grade 4|Grade 5|Grade 6|Secondary school|Kanji for names|Hiragana|"
-          "Katakana|Letters and digits|All characters|Old JLPT level 4 (before 2010)|"
+          "Katakana|Letters and digits|My characters|All characters|Old JLPT level 4 (before 2010)|"
           "Old JLPT level 3 (before 2010)|Old JLPT level 2 (before 2010)|Old JLPT level 1 (before 2010)"));
   lists->setCurrentIndex(8);
   emit lists->activated(8);
