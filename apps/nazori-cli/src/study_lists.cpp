@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // study lists, study tag, study profiles
 #include <fmt/format.h>
+#include <cstdint>
 
 #include <memory>
 
@@ -54,9 +55,9 @@ int import_list(Console& console, const ListsSettings& settings) {
   if (auto saved = session->learner().save_list({settings.name, *std::move(characters)}); !saved) {
     return console.refuse(saved.error());
   }
-  console.print(settings.options.json
-                    ? to_text({{"list", "list:" + settings.name}, {"characters", count}})
-                    : fmt::format("list:{}  {}\n", settings.name, counted(count, "character")));
+  console.print(settings.options.json ? to_text({{"list", "list:" + settings.name}, {"characters", count}})
+                                      : fmt::format("list:{}  {}\n", settings.name,
+                                                    counted(static_cast<std::int64_t>(count), "character")));
   return kDone;
 }
 
@@ -124,7 +125,8 @@ int tag(Console& console, const TagSettings& settings) {
       return console.refuse(done.error());
   }
   if (!settings.options.json) {
-    console.print(fmt::format("tagged: {}\n", counted(characters->size(), "character")));
+    console.print(
+        fmt::format("tagged: {}\n", counted(static_cast<std::int64_t>(characters->size()), "character")));
     return kDone;
   }
   Json json = Json::array();
