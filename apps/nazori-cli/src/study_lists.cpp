@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // study lists, study tag, study profiles
 #include <fmt/format.h>
-#include <cstdint>
 
+#include <cstdint>
 #include <memory>
 
 #include "characters.h"
