@@ -109,6 +109,8 @@ TEST_F(WorkbenchGrooveTest, WithoutAStrokeNoNumberIsChosen) {
   EXPECT_EQ(bench_.selection(), (Selection{0, std::nullopt, true})) << "of the first stroke";
   bench_.select({7, std::nullopt, true});
   EXPECT_EQ(bench_.selection(), Selection{});
+  bench_.select({std::nullopt, std::nullopt, true});
+  EXPECT_EQ(bench_.selection(), Selection{});
   bench_.select({1, 1, true});
   EXPECT_EQ(bench_.selection(), (Selection{1, std::nullopt, true}));
   Workbench empty{editor_with({})};

@@ -38,7 +38,8 @@ class WorkshopDetails : public WorkshopWindow {
   const std::vector<author::OwnPart>& parts() { return character().facts.parts; }
   std::optional<int> radical() { return character().facts.radical; }
   GrooveCurve* curve(const char* name) { return find<GrooveCurve>(name); }
-  void drag_curve(GrooveCurve* on, std::size_t point, double by_px, int moves = 5) {
+  /// Where the point is drawn just before the button is released.
+  QPointF drag_curve(GrooveCurve* on, std::size_t point, double by_px, int moves = 5) {
     const QPointF from = on->place_of(point);
     const auto mouse = [on](QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
       QMouseEvent event(type, at, on->mapToGlobal(at), button, held, {});
@@ -47,7 +48,9 @@ class WorkshopDetails : public WorkshopWindow {
     mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
     for (int i = 1; i <= moves; ++i)
       mouse(QEvent::MouseMove, from + QPointF(0, by_px * i / moves), Qt::NoButton, Qt::LeftButton);
+    const QPointF held_at = on->place_of(point);
     mouse(QEvent::MouseButtonRelease, from + QPointF(0, by_px), Qt::LeftButton, Qt::NoButton);
+    return held_at;
   }
   /// Works with the dialog for a plot, once it is open.
   void in_plot_dialog(const std::function<void(QDialog&)>& work) {
@@ -248,11 +251,11 @@ TEST_F(WorkshopDetails, AKeyChoosesANumberWithTheToolThatMovesIt) {
   press(Qt::Key_U);
   EXPECT_EQ(feedback(), QStringLiteral("There are no strokes yet."));
   draw_three();
+  curve("workshop_width_curve")->setFocus();
   press(Qt::Key_U);
   EXPECT_EQ(workshop->bench().settings().tool, author::Tool::edit);
   EXPECT_TRUE(feedback().contains(QStringLiteral("Its number: "))) << feedback().toStdString();
   EXPECT_TRUE(feedback().contains(QStringLiteral("placed by the program"))) << feedback().toStdString();
-  canvas()->setFocus();
   press(Qt::Key_Down);
   EXPECT_TRUE(character().strokes[2].number_position);
   press(Qt::Key_S);
@@ -295,12 +298,24 @@ TEST_F(WorkshopDetails, ADragDownwardsDeepensTheGrooveAndUpwardsNarrowsNothing) 
   EXPECT_EQ(character().strokes[0].points[0].depth, 1) << "no deeper than the tablet";
 }
 
+TEST_F(WorkshopDetails, ADraggedPointOfACurveStaysUnderThePointer) {
+  draw_three();
+  find<QListWidget>("workshop_strokes_list")->setCurrentRow(0);
+  auto* width = curve("workshop_width_curve");
+  const QPointF from = width->place_of(0);
+  // Out of the picture: a scale that followed the value would bring the point back.
+  const double by = -from.y();
+  EXPECT_NEAR(drag_curve(width, 0, by).y(), from.y() + by, 0.5);
+  EXPECT_GT(width->place_of(0).y(), 0) << "the scale fits again";
+}
+
 TEST_F(WorkshopDetails, AClickOnTheCurveChoosesAPointAndChangesNothing) {
   draw_three();
   find<QListWidget>("workshop_strokes_list")->setCurrentRow(1, QItemSelectionModel::ClearAndSelect);
   const auto before = character().strokes[1].points;
-  drag_curve(curve("workshop_width_curve"), 0, 0);
+  drag_curve(curve("workshop_width_curve"), 0, 1);
   EXPECT_EQ(workshop->bench().selection(), (author::Selection{1, 0}));
+  EXPECT_EQ(workshop->bench().editor().state().undoes, author::EditKind::draw_stroke) << "a hand trembles";
   EXPECT_EQ(character().strokes[1].points, before);
 }
 
@@ -355,6 +370,7 @@ TEST_F(WorkshopDetails, AFunctionPlotBecomesTheReliefOfANewCharacter) {
   EXPECT_EQ(feedback(), QStringLiteral("The relief is the plot of y = 1."));
   EXPECT_EQ(character().facts.name, "y = 1");
   EXPECT_TRUE(character().strokes.empty());
+  EXPECT_EQ(character().hand.size, author::kMapSize) << "as fine as what is drawn by hand";
   // y = 1 is a quarter of the height above the lower border.
   const auto& map = workshop->bench().editor().map();
   const int line = map.size() * 3 / 4;

@@ -28,7 +28,7 @@ PartsEditor::PartsEditor(const WorkshopActions& actions, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kPanelGap);
-  list_->setMinimumHeight(QFontInfo(font()).pixelSize() * 6);
+  list_->setFixedHeight(QFontInfo(font()).pixelSize() * 6);
   column->addWidget(list_);
   auto* form = add_form(column);
   name_->setMaxLength(static_cast<int>(author::kLongestName));

@@ -2,6 +2,7 @@
 #include "nazori/studio/workshop/plot_dialog.h"
 
 #include <QDialogButtonBox>
+#include <QFontInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -83,6 +84,9 @@ PlotDialog::PlotDialog(base::Inbox& inbox, functions::PlotModel model, const QSt
   });
   read_expression();
   line_->selectAll();
+  // Room for a longer expression.
+  constexpr int kWidth_em = 28;
+  resize(QFontInfo(font()).pixelSize() * kWidth_em, sizeHint().height());
 }
 
 PlotDialog::~PlotDialog() = default;

@@ -64,6 +64,8 @@ void WorkshopPage::connect_actions() {
     // The arrow keys move what is chosen with this tool alone.
     if (bench_->settings().tool != author::Tool::edit)
       actions_->tools[static_cast<std::size_t>(author::Tool::edit)]->trigger();
+    // In the panel they would move something else.
+    canvas_->setFocus();
     say_selection();
   });
   on(actions_->place_number, [this] {
