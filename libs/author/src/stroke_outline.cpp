@@ -9,20 +9,14 @@
 #include <numbers>
 #include <utility>
 
+#include "nazori/geometry/needed_points.h"
+
 namespace nazori::author {
 namespace {
 
 using geometry::GlyphPoint;
 
 constexpr double kQuarter = std::numbers::pi / 2;
-
-/// How far a disc differs from the nearest one between two others.
-double off_sweep(const Disc& disc, const Disc& a, const Disc& b) {
-  const GlyphPoint along = b.at - a.at;
-  const double squared = dot(along, along);
-  const double t = squared > 0 ? std::clamp(dot(disc.at - a.at, along) / squared, 0.0, 1.0) : 0.0;
-  return distance(disc.at, a.at + along * t) + std::abs(disc.radius - (a.radius + (b.radius - a.radius) * t));
-}
 
 /// What two neighbouring discs sweep, without the discs: the two lines that touch both.
 struct SweptPart {
@@ -209,36 +203,21 @@ std::vector<Disc> discs_of(const carving::Groove& groove, const RadiusFloor& flo
   return thinned_discs(discs, tolerance);
 }
 
-// Douglas and Peucker's method.
+double distance_to_segment(const Disc& disc, const Disc& a, const Disc& b) {
+  const double share = geometry::nearest_share(disc.at, a.at, b.at);
+  return distance(disc.at, a.at + (b.at - a.at) * share) +
+         std::abs(disc.radius - (a.radius + (b.radius - a.radius) * share));
+}
+
 std::vector<Disc> thinned_discs(std::span<const Disc> discs, double tolerance, std::size_t block) {
   assert(!discs.empty());
-  std::vector<bool> stays(discs.size(), false);
-  stays.front() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> open;
+  std::vector<Disc> thinned{discs.front()};
   for (std::size_t start = 0; start + 1 < discs.size(); start += block) {
     const std::size_t end = std::min(start + block, discs.size() - 1);
-    stays[end] = true;
-    open.emplace_back(start, end);
-    while (!open.empty()) {
-      const auto [first, last] = open.back();
-      open.pop_back();
-      double farthest = tolerance;
-      std::size_t split = first;
-      for (std::size_t i = first + 1; i < last; ++i) {
-        const double off = off_sweep(discs[i], discs[first], discs[last]);
-        if (off <= farthest) continue;
-        farthest = off;
-        split = i;
-      }
-      if (split == first) continue;
-      stays[split] = true;
-      open.emplace_back(first, split);
-      open.emplace_back(split, last);
-    }
+    const auto needed = geometry::needed_points(discs.subspan(start, end - start + 1), tolerance);
+    // The first of a block is the last of the one before it.
+    for (const std::size_t i : std::span(needed).subspan(1)) thinned.push_back(discs[start + i]);
   }
-  std::vector<Disc> thinned;
-  for (std::size_t i = 0; i < discs.size(); ++i)
-    if (stays[i]) thinned.push_back(discs[i]);
   return thinned;
 }
 

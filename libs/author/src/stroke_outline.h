@@ -39,6 +39,10 @@ struct RadiusFloor {
 [[nodiscard]] std::vector<Disc> discs_of(const carving::Groove& groove, const RadiusFloor& floor,
                                          double tolerance);
 
+/// How far a disc differs from the nearest one that is swept between two others: in place and radius
+/// together. For geometry::needed_points().
+[[nodiscard]] double distance_to_segment(const Disc& disc, const Disc& a, const Disc& b);
+
 /// Few of the discs, which sweep the same area but for the tolerance. The first and the last stay.
 /// @param block  every so many discs one stays in any case: so the time grows only with their number.
 [[nodiscard]] std::vector<Disc> thinned_discs(std::span<const Disc> discs, double tolerance,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "characters.h"
 #include "line_comparison.h"
@@ -144,21 +145,16 @@ TEST(FontModel, WhatTheFontLacksAndWhatNoCharacterIsAreRefused) {
 TEST(GoodFit, NeedsInkUnderAllStrokesAndStrokesOverAllInk) {
   const FontFit good{.covered = 0.95, .outside = 0.05, .on_ink = 0.98, .alone = 0.7, .moved = 2};
   EXPECT_TRUE(is_good_fit(good));
-  FontFit fit = good;
-  fit.covered = 0.6;
-  EXPECT_FALSE(is_good_fit(fit));
-  fit = good;
-  fit.outside = 0.5;
-  EXPECT_FALSE(is_good_fit(fit));
-  fit = good;
-  fit.on_ink = 0.5;
-  EXPECT_FALSE(is_good_fit(fit));
-  fit = good;
-  fit.alone = 0.05;
-  EXPECT_FALSE(is_good_fit(fit));
-  fit = good;
-  fit.moved = 30;
-  EXPECT_FALSE(is_good_fit(fit));
+  const std::pair<double FontFit::*, double> bad[] = {{&FontFit::covered, 0.6},
+                                                      {&FontFit::outside, 0.5},
+                                                      {&FontFit::on_ink, 0.5},
+                                                      {&FontFit::alone, 0.05},
+                                                      {&FontFit::moved, 30}};
+  for (const auto& [measure, value] : bad) {
+    FontFit fit = good;
+    fit.*measure = value;
+    EXPECT_FALSE(is_good_fit(fit)) << value;
+  }
 }
 
 TEST(BrushFonts, ThoseThatAreInstalledAreSomeOfThoseKnown) {
