@@ -12,7 +12,7 @@
 #include "../../base/tests/failing_calls.h"
 #include "../src/recording_output.h"
 #include "../src/shared_ring.h"
-#include "temporary_folder.h"
+#include "files_under_test.h"
 
 namespace nazori::recording {
 namespace {

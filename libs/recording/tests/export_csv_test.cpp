@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "../../base/tests/failing_calls.h"
+#include "files_under_test.h"
 #include "nazori/recording/sample_csv.h"
 #include "nazori/recording/session_recorder.h"
 #include "some_samples.h"
-#include "temporary_folder.h"
 
 namespace nazori::recording {
 namespace {

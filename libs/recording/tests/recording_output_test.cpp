@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../../base/tests/failing_calls.h"
+#include "files_under_test.h"
 #include "some_samples.h"
-#include "temporary_folder.h"
 
 namespace nazori::recording {
 namespace {

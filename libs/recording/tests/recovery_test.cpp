@@ -17,9 +17,9 @@
 #include "../../base/tests/failing_calls.h"
 #include "../src/recording_output.h"
 #include "../src/shared_ring.h"
+#include "files_under_test.h"
 #include "nazori/recording/session_recorder.h"
 #include "some_samples.h"
-#include "temporary_folder.h"
 
 namespace nazori::recording {
 namespace {

@@ -21,11 +21,11 @@
 
 #include "../src/recording_output.h"
 #include "../src/shared_ring.h"
+#include "files_under_test.h"
 #include "nazori/devices/simulated_device.h"
 #include "nazori/haptics/sample_ring.h"
 #include "sessions.h"
 #include "some_samples.h"
-#include "temporary_folder.h"
 
 namespace nazori::recording {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "../../base/tests/failing_calls.h"
 #include "../src/shared_ring.h"
+#include "files_under_test.h"
 #include "nazori/haptics/sample_ring.h"
 #include "nazori/recording/session_recorder.h"
 #include "sessions.h"
-#include "temporary_folder.h"
 
 namespace nazori::recording {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "files_under_test.h"
 #include "piece_source.h"
-#include "temporary_folder.h"
 
 namespace nazori::recording {
 namespace {

@@ -8,21 +8,11 @@
 #include <string>
 
 #include "nazori/study/learner_store.h"
+#include "temporary_folder.h"
 
 namespace nazori::study::test {
 
-/// A temporary folder that is removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using nazori::test::TemporaryFolder;
 
 /// A clock that the test moves.
 class MovedClock {

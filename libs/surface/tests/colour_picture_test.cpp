@@ -10,7 +10,7 @@
 
 #include "nazori/base/file.h"
 #include "nazori/surface/colour_picture.h"
-#include "scratch_folder.h"
+#include "temporary_folder.h"
 
 namespace nazori::surface {
 namespace {
@@ -63,7 +63,7 @@ TEST(ColourPicture, OfNoSizeOrOfTheWrongNumberOfColoursIsNone) {
 }
 
 TEST(ColourPicture, IsSavedAsTheFileThatItsBytesAre) {
-  const test::ScratchFolder folder;
+  const nazori::test::TemporaryFolder folder;
   const auto path = folder.path() / "picture.png";
   ASSERT_TRUE(save_png(three_by_two(), path));
   const auto file = base::read_file(path, 10'000);
@@ -72,7 +72,7 @@ TEST(ColourPicture, IsSavedAsTheFileThatItsBytesAre) {
 }
 
 TEST(ColourPicture, ThatIsNoneIsNotSaved) {
-  const test::ScratchFolder folder;
+  const nazori::test::TemporaryFolder folder;
   const auto path = folder.path() / "picture.png";
   const auto saved = save_png(ColourPicture{}, path);
   ASSERT_FALSE(saved);

@@ -6,7 +6,7 @@
 
 #include "nazori/base/file.h"
 #include "nazori/surface/height_map.h"
-#include "scratch_folder.h"
+#include "temporary_folder.h"
 
 namespace nazori::surface {
 namespace {
@@ -177,7 +177,7 @@ TEST(PngFile, SaysWhyItIsNotWhole) {
 }
 
 TEST(PngFile, ThatCannotBeAHeightMapIsNotRead) {
-  const test::ScratchFolder folder;
+  const nazori::test::TemporaryFolder folder;
   const auto path = folder.path() / "large.png";
   ASSERT_TRUE(base::write_file(path, std::string_view()));
   // 16 bits for each sample of the largest map, and a mebibyte.
@@ -228,7 +228,7 @@ TEST(PngFile, AnyHeightComesBackWithinHalfALevel) {
 }
 
 TEST(PngFile, LoadsWhatItSavedAndKeepsTheOldMapOtherwise) {
-  const test::ScratchFolder folder;
+  const nazori::test::TemporaryFolder folder;
   auto map = HeightMap::create(20, 0.2F).value();
   ASSERT_TRUE(save_png(map, folder.path() / "a.png", PngDepth::bits_16));
   EXPECT_EQ(load_png(folder.path() / "a.png").value(), map);

@@ -3,7 +3,7 @@
 
 #include "nazori/base/file.h"
 #include "nazori/surface/height_map.h"
-#include "scratch_folder.h"
+#include "temporary_folder.h"
 
 namespace nazori::surface {
 namespace {
@@ -77,7 +77,7 @@ TEST(RawFile, OfAGivenSizeTheSamplesAreRead) {
 }
 
 TEST(RawFile, ThatCannotBeOneIsNotRead) {
-  const test::ScratchFolder folder;
+  const nazori::test::TemporaryFolder folder;
   const auto path = folder.path() / "large.raw";
   ASSERT_TRUE(base::write_file(path, std::string_view()));
   std::filesystem::resize_file(path, 8192 * 8192 + 1);
@@ -110,7 +110,7 @@ TEST(RawFile, AnEmptyFileSaysSo) {
 }
 
 TEST(RawFile, LoadsWhatItSaved) {
-  const test::ScratchFolder folder;
+  const nazori::test::TemporaryFolder folder;
   auto map = HeightMap::create(33).value();
   for (int i = 0; i < 33; ++i) map.set(i, 32 - i, static_cast<float>(i) / 255);
   ASSERT_TRUE(save_raw(map, folder.path() / "a.raw"));
@@ -119,7 +119,7 @@ TEST(RawFile, LoadsWhatItSaved) {
 }
 
 TEST(RawFile, AFailedLoadLeavesTheOldMapAndNamesTheFile) {
-  const test::ScratchFolder folder;
+  const nazori::test::TemporaryFolder folder;
   ASSERT_TRUE(base::write_file(folder.path() / "short.raw", std::string_view("12345")));
   ASSERT_TRUE(base::write_file(folder.path() / "empty.raw", std::string_view()));
   auto map = HeightMap::create(4, 0.5F).value();
@@ -138,7 +138,7 @@ TEST(RawFile, AFailedLoadLeavesTheOldMapAndNamesTheFile) {
 }
 
 TEST(RawFile, AnEmptyMapIsNotSaved) {
-  const test::ScratchFolder folder;
+  const nazori::test::TemporaryFolder folder;
   const auto saved = save_raw({}, folder.path() / "a.raw");
   ASSERT_FALSE(saved);
   EXPECT_EQ(saved.error().code, base::Errc::bad_argument);
