@@ -172,7 +172,7 @@ base::Result<OwnCharacter> Collection::find(char32_t code_point) const {
   return load_character(file_of(code_point));
 }
 
-base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::optional<char32_t> as) const {
+base::Result<char32_t> Collection::prepare(const OwnCharacter& character, std::optional<char32_t> as) const {
   if (folder_.empty())
     return base::fail(Errc::io, "there is no folder for own characters", "HOME", "set NAZORI_CHARACTERS");
   if (character.facts.name.empty())
@@ -200,9 +200,15 @@ base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::opti
   if (refused)
     return base::fail(Errc::io, "cannot be made: " + refused.message(), folder_.string(),
                       "check who may write there");
-  if (auto saved = save_character(character, file_of(*as)); !saved)
-    return tl::unexpected(std::move(saved.error()));
   return *as;
+}
+
+base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::optional<char32_t> as) const {
+  const auto place = prepare(character, as);
+  if (!place) return place;
+  if (auto saved = save_character(character, file_of(*place)); !saved)
+    return tl::unexpected(std::move(saved.error()));
+  return place;
 }
 
 base::Result<void> Collection::remove(char32_t code_point) const {

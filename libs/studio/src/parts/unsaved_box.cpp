@@ -2,8 +2,8 @@
 #include "nazori/studio/parts/unsaved_box.h"
 
 #include <QCoreApplication>
-#include <QMessageBox>
-#include <QPushButton>
+
+#include "nazori/studio/parts/question_box.h"
 
 namespace nazori::ui {
 namespace {
@@ -15,16 +15,10 @@ struct Words {
 }  // namespace
 
 Unsaved ask_unsaved(const char* name, const QString& sentence, QWidget* window) {
-  QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"), sentence, QMessageBox::NoButton, window);
-  box.setObjectName(QString::fromLatin1(name));
-  auto* keep = box.addButton(Words::tr("Save…"), QMessageBox::AcceptRole);
-  auto* discard = box.addButton(Words::tr("Do not save"), QMessageBox::DestructiveRole);
-  auto* stay = box.addButton(Words::tr("Go back"), QMessageBox::RejectRole);
-  box.setDefaultButton(keep);
-  box.setEscapeButton(stay);
-  box.exec();
-  if (box.clickedButton() == keep) return Unsaved::save;
-  return box.clickedButton() == discard ? Unsaved::discard : Unsaved::stay;
+  const Answer answers[] = {{Words::tr("Save…"), QMessageBox::AcceptRole},
+                            {Words::tr("Do not save"), QMessageBox::DestructiveRole},
+                            {Words::tr("Go back"), QMessageBox::RejectRole}};
+  return static_cast<Unsaved>(ask(name, sentence, answers, 0, window));
 }
 
 }  // namespace nazori::ui

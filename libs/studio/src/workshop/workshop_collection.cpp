@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The characters that the learner keeps: those of the workshop that lists, search, study and worksheets have.
-#include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
-
 #include "nazori/author/collection.h"
+#include "nazori/studio/parts/question_box.h"
 #include "nazori/studio/workshop/workshop_actions.h"
 #include "nazori/studio/workshop/workshop_page.h"
-#include "nazori/studio/workshop/workshop_panel.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/words/error_text.h"
 #include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
-namespace {
-
-enum class Same : std::uint8_t { replace, beside, stay };
-
-}  // namespace
-
 author::Collection WorkshopPage::collection() const {
   return author::Collection(parts().learner().source().own);
 }
@@ -41,28 +31,27 @@ void WorkshopPage::keep() {
     const auto same = collection().named(character.facts.name);
     if (!same) return failed(same.error());
     if (!same->empty()) {
-      QMessageBox box(
-          QMessageBox::Question, QStringLiteral("Nazori"),
-          tr("There is a character called “%1” among yours already.").arg(to_text(character.facts.name)),
-          QMessageBox::NoButton, &parts().window());
-      box.setObjectName(QStringLiteral("same_name_box"));
-      auto* replace = box.addButton(tr("Replace it"), QMessageBox::AcceptRole);
-      box.addButton(tr("Keep both"), QMessageBox::AcceptRole);
-      auto* stay = box.addButton(tr("Go back"), QMessageBox::RejectRole);
-      box.setDefaultButton(replace);
-      box.setEscapeButton(stay);
-      box.exec();
+      const Answer answers[] = {{tr("Replace it"), QMessageBox::AcceptRole},
+                                {tr("Keep both"), QMessageBox::AcceptRole},
+                                {tr("Go back"), QMessageBox::RejectRole}};
+      const std::size_t answer =
+          ask("same_name_box",
+              tr("There is a character called “%1” among yours already.").arg(to_text(character.facts.name)),
+              answers, 0, &parts().window());
       parts().focus_tablet();
-      if (box.clickedButton() == stay) return;
-      if (box.clickedButton() == replace) place = same->front();
+      if (answer == 2) return;
+      if (answer == 0) place = same->front();
     }
   }
-  const auto kept = collection().keep(character, place);
-  if (!kept) return failed(kept.error());
-  // What has no other file is from now on the kept character.
-  if (file_.isEmpty() || kept_as()) write(to_text(collection().file_of(*kept).string()));
-  emit parts().own_characters_changed();
-  show_bench();
+  if (file_.isEmpty() || kept_as()) {
+    // What has no other file is from now on the kept character.
+    const auto ready = collection().prepare(character, place);
+    if (!ready) return failed(ready.error());
+    if (!write(to_text(collection().file_of(*ready).string()))) return;
+  } else {
+    if (const auto kept = collection().keep(character, place); !kept) return failed(kept.error());
+    emit parts().own_characters_changed();
+  }
   parts().announce(Feedback::good,
                    tr("“%1” is among your characters now: in lists, search, study and worksheets.")
                        .arg(to_text(character.facts.name)));
@@ -74,17 +63,13 @@ void WorkshopPage::remove_kept() {
     return parts().respond(Feedback::hint,
                            tr("This is not one of your kept characters. Open one of them with C first."));
   const QString name = to_text(bench_->character().facts.name);
-  QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),
-                  tr("Take “%1” out of your characters? What you learned of it stays.").arg(name),
-                  QMessageBox::NoButton, &parts().window());
-  box.setObjectName(QStringLiteral("remove_kept_box"));
-  auto* remove = box.addButton(tr("Take it out"), QMessageBox::DestructiveRole);
-  auto* stay = box.addButton(tr("Go back"), QMessageBox::RejectRole);
-  box.setDefaultButton(stay);
-  box.setEscapeButton(stay);
-  box.exec();
+  const Answer answers[] = {{tr("Take it out"), QMessageBox::DestructiveRole},
+                            {tr("Go back"), QMessageBox::RejectRole}};
+  const std::size_t answer =
+      ask("remove_kept_box", tr("Take “%1” out of your characters? What you learned of it stays.").arg(name),
+          answers, 1, &parts().window());
   parts().focus_tablet();
-  if (box.clickedButton() != remove) return;
+  if (answer != 0) return;
   if (const auto removed = collection().remove(*place); !removed) {
     return parts().announce(Feedback::wrong,
                             tr("The character could not be taken out: %1.").arg(reason(removed.error())));

@@ -193,9 +193,10 @@ void WorkshopPage::ask_and_write(const QString& suffix) {
   write(path);
 }
 
-void WorkshopPage::write(const QString& path) {
+bool WorkshopPage::write(const QString& path) {
   const auto failed = [&](const base::Error& error) {
     parts().announce(Feedback::wrong, tr("Could not save %1: %2.").arg(name_of(path), reason(error)));
+    return false;
   };
   const std::filesystem::path file = path.toStdString();
   const auto format = author::format_of(file);
@@ -212,13 +213,15 @@ void WorkshopPage::write(const QString& path) {
     file_ = path;
     if (kept_as()) emit parts().own_characters_changed();
     show_bench();
-    return parts().announce(Feedback::good, tr("Saved %1.").arg(title()));
+    parts().announce(Feedback::good, tr("Saved %1.").arg(title()));
+    return true;
   }
   const int side = *format == author::CharacterFormat::strokes ? kClassicSide : bench_->editor().map().size();
   const auto bytes = author::export_character(bench_->character(), *format, side);
   if (!bytes) return failed(bytes.error());
   if (const auto written = base::write_file(file, *bytes); !written) return failed(written.error());
   parts().announce(Feedback::good, tr("Saved a copy as %1.").arg(name_of(path)));
+  return true;
 }
 
 void WorkshopPage::connect_tracing() {

@@ -54,10 +54,14 @@ class Collection {
   /// One character with all of it. @return Errc::not_found; the errors of load_character().
   [[nodiscard]] base::Result<OwnCharacter> find(char32_t code_point) const;
 
-  /// Keeps a character. @param as  the code point of a kept character that it replaces; none: it is a new
-  /// one.
+  /// Makes ready to keep a character: checks it and makes the folder. It is kept once it is written to
+  /// file_of() of the code point.
+  /// @param as  the code point of a kept character that it replaces; none: it is a new one.
   /// @return its code point; Errc::bad_argument for a character without name or strokes and for `as` that is
   /// no own code point, Errc::io.
+  [[nodiscard]] base::Result<char32_t> prepare(const OwnCharacter& character,
+                                               std::optional<char32_t> as = {}) const;
+  /// Keeps a character. @return as prepare(); the errors of save_character().
   [[nodiscard]] base::Result<char32_t> keep(const OwnCharacter& character,
                                             std::optional<char32_t> as = {}) const;
 

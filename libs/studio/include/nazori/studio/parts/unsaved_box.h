@@ -8,7 +8,7 @@ class QWidget;
 
 namespace nazori::ui {
 
-/// What becomes of work that is not saved.
+/// What becomes of work that is not saved, in the order of the buttons.
 enum class Unsaved : std::uint8_t { save, discard, stay };
 
 /// Asks. @param name  of the box, for tests. @param sentence  says what is not saved.

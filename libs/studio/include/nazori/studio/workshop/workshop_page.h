@@ -45,8 +45,9 @@ class WorkshopPage final : public Page {
   void ask_and_open() override;
   void ask_and_save() override;
 
-  /// Writes without asking for a name, in the format of its ending.
-  void write(const QString& path);
+  /// Writes without asking for a name, in the format of its ending. @return false where it failed, which is
+  /// announced.
+  bool write(const QString& path);
   /// Finds the strokes of a picture; they take the place of what is there.
   /// @param character  that it shows; 0: not known.
   void trace_picture(const QString& path, char32_t character);
