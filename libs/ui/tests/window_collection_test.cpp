@@ -2,42 +2,19 @@
 // Characters made in the workshop and kept: the window lists, shows and studies them.
 #include <QComboBox>
 #include <QListView>
-#include <QMessageBox>
-#include <QPushButton>
-#include <QTimer>
 
-#include "characters/characters.h"
 #include "nazori/author/character_file.h"
 #include "nazori/author/collection.h"
-#include "nazori/studio/workshop/workshop_page.h"
-#include "window_under_test.h"
+#include "workshop_window.h"
 
 namespace nazori::ui {
 namespace {
 
-template <class T>
-std::unique_ptr<Page> make(WindowParts& parts) {
-  return std::make_unique<T>(parts);
-}
-
-WorkshopPage* kept_workshop = nullptr;
-std::unique_ptr<Page> make_kept_workshop(WindowParts& parts) {
-  auto page = std::make_unique<WorkshopPage>(parts);
-  kept_workshop = page.get();
-  return page;
-}
-
-class CollectionWindow : public WindowTest {
+class CollectionWindow : public WorkshopWindow {
  protected:
-  CollectionWindow() { pages_ = {make<Characters>, make_kept_workshop}; }
   void SetUp() override {
     own_characters_ = folder_.filePath(QStringLiteral("characters"));
-    WindowTest::SetUp();
-    press(Qt::Key_2, Qt::AltModifier);
-  }
-  void TearDown() override {
-    window_.reset();
-    kept_workshop = nullptr;
+    WorkshopWindow::SetUp();
   }
 
   [[nodiscard]] author::Collection collection() const {
@@ -53,22 +30,13 @@ class CollectionWindow : public WindowTest {
   void open(const author::OwnCharacter& character) {
     const QString path = folder_.filePath(QStringLiteral("sign.nazori"));
     ASSERT_TRUE(author::save_character(character, path.toStdString()));
-    kept_workshop->open_files({path});
+    workshop->open_files({path});
   }
   std::vector<char32_t> kept() {
     std::vector<char32_t> code_points;
     const auto content = collection().read();
     for (const auto& one : content->characters) code_points.push_back(one.code_point);
     return code_points;
-  }
-  void answer_with(const QString& text) {
-    QTimer::singleShot(0, this->window_.get(), [text] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      ASSERT_NE(box, nullptr);
-      for (auto* button : box->buttons())
-        if (button->text() == text) return button->click();
-      FAIL() << "no button " << text.toStdString();
-    });
   }
 };
 
@@ -121,7 +89,7 @@ TEST_F(CollectionWindow, AKeptCharacterIsOpenedChangedAndSavedInItsPlace) {
   show(code_point);
   press(Qt::Key_2, Qt::AltModifier);
   press(Qt::Key_C);
-  EXPECT_EQ(kept_workshop->bench().character(), sign("our sign"));
+  EXPECT_EQ(character(), sign("our sign"));
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("our sign – Nazori"));
   press(Qt::Key_3);
   press(Qt::Key_N);
@@ -145,7 +113,7 @@ TEST_F(CollectionWindow, AKeptCharacterIsTakenOutAndStaysInTheWorkshop) {
   answer_with(QStringLiteral("Take it out"));
   action("workshop_remove_kept")->trigger();
   EXPECT_TRUE(kept().empty());
-  EXPECT_EQ(kept_workshop->bench().character(), sign("our sign"));
+  EXPECT_EQ(character(), sign("our sign"));
   EXPECT_EQ(feedback(), QStringLiteral("“our sign” is no longer among your characters. A keeps it again."));
 }
 
