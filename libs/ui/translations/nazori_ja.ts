@@ -3467,12 +3467,12 @@ Columns and rows:</source>
         <translation>画に沿った深さ</translation>
     </message>
     <message>
-        <source>Drag a point up or down. Left and Right: other point. Up and Down: wider, thinner</source>
-        <translation>点を上下にドラッグします。左右キー：別の点、上下キー：太く・細く</translation>
+        <source>Drag a point up or down, or choose one with Left and Right and make it wider or thinner with Up and Down</source>
+        <translation>点を上下にドラッグします。左右キーで点を選び、上下キーで太さを変えることもできます</translation>
     </message>
     <message>
-        <source>Drag a point up or down. Left and Right: other point. Up and Down: shallower, deeper</source>
-        <translation>点を上下にドラッグします。左右キー：別の点、上下キー：浅く・深く</translation>
+        <source>Drag a point up or down, or choose one with Left and Right and make it shallower or deeper with Up and Down</source>
+        <translation>点を上下にドラッグします。左右キーで点を選び、上下キーで深さを変えることもできます</translation>
     </message>
     <message>
         <source>No stroke is chosen.</source>

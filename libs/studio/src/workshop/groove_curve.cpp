@@ -61,9 +61,10 @@ GrooveCurve::GrooveCurve(Quantity quantity, const char* name, QWidget* parent)
   QAccessible::installFactory(make_curve);  // once, however often it is asked for
   const bool width = quantity == Quantity::half_width;
   named(this, name, width ? tr("Width along the stroke") : tr("Depth along the stroke"));
-  setToolTip(
-      width ? tr("Drag a point up or down. Left and Right: other point. Up and Down: wider, thinner")
-            : tr("Drag a point up or down. Left and Right: other point. Up and Down: shallower, deeper"));
+  setToolTip(width ? tr("Drag a point up or down, or choose one with Left and Right and make it wider or "
+                        "thinner with Up and Down")
+                   : tr("Drag a point up or down, or choose one with Left and Right and make it shallower or "
+                        "deeper with Up and Down"));
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
@@ -204,7 +205,7 @@ void GrooveCurve::keyPressEvent(QKeyEvent* event) {
   const bool plain = modifiers == Qt::NoModifier || modifiers == Qt::ShiftModifier;
   if (!plain || groove_.empty()) return QWidget::keyPressEvent(event);
   const double by = step() * (modifiers == Qt::ShiftModifier ? kFine : 1);
-  // Up is up in the picture: a wider or a shallower groove.
+  // The Up key moves the point up in the picture: that makes a groove wider, or shallower.
   const double up = quantity_ == Quantity::depth ? -by : by;
   const std::size_t last = groove_.size() - 1;
   const auto move = [&](double change_by) {
