@@ -91,6 +91,9 @@ std::vector<float> paper_of(const Grey& grey) {
   constexpr int kTiles = 10;
   constexpr double kBrighter = 0.9;
   const auto edge = [](int tile, int side) { return tile * side / kTiles; };
+  const auto index = [](int column, int row) {
+    return static_cast<std::size_t>(row) * kTiles + static_cast<std::size_t>(column);
+  };
   std::vector<float> tiles;
   std::vector<float> values;
   for (int row = 0; row < kTiles; ++row)
@@ -110,10 +113,10 @@ std::vector<float> paper_of(const Grey& grey) {
       float most = 0;
       for (int v = std::max(0, row - 1); v <= std::min(kTiles - 1, row + 1); ++v)
         for (int u = std::max(0, column - 1); u <= std::min(kTiles - 1, column + 1); ++u)
-          most = std::max(most, plain[static_cast<std::size_t>(v * kTiles + u)]);
+          most = std::max(most, plain[index(u, v)]);
       // Light falls off slowly: a tile much darker than its neighbours is ink.
       constexpr float kFallsOff = 0.75F;
-      float& tile = tiles[static_cast<std::size_t>(row * kTiles + column)];
+      float& tile = tiles[index(column, row)];
       if (tile < kFallsOff * most) tile = most;
     }
   std::vector<float> paper;
@@ -130,7 +133,7 @@ std::vector<float> paper_of(const Grey& grey) {
       const int row = static_cast<int>(fy);
       const float u = fx - static_cast<float>(column);
       const float v = fy - static_cast<float>(row);
-      const auto tile = [&](int c, int r) { return tiles[static_cast<std::size_t>(r * kTiles + c)]; };
+      const auto tile = [&](int c, int r) { return tiles[index(c, r)]; };
       paper.push_back((tile(column, row) * (1 - u) + tile(column + 1, row) * u) * (1 - v) +
                       (tile(column, row + 1) * (1 - u) + tile(column + 1, row + 1) * u) * v);
     }
@@ -204,9 +207,9 @@ void blur(std::vector<float>& values, int width, int height, double sigma) {
       float* p = &values[static_cast<std::size_t>(l) * line_step];
       for (int i = 0; i < length; ++i) {
         float total = 0;
-        for (int k = -reach; k <= reach; ++k)
-          total += weights[static_cast<std::size_t>(k + reach)] *
-                   p[static_cast<std::size_t>(std::clamp(i + k, 0, length - 1)) * step];
+        int from = i - reach;
+        for (const float weight : weights)
+          total += weight * p[static_cast<std::size_t>(std::clamp(from++, 0, length - 1)) * step];
         row[static_cast<std::size_t>(i)] = total;
       }
       for (int i = 0; i < length; ++i)

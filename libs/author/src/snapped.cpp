@@ -36,7 +36,7 @@ std::vector<std::optional<double>> offsets_of(const GlyphLine& line, const Ridge
   constexpr double kStay = 0.25;      // cost of the largest offset
   constexpr double kBend = 1.6;       // cost of a change by a unit within a unit, squared
   const int half = static_cast<int>(std::lround(gate / kStep));
-  const auto states = static_cast<std::size_t>(2 * half + 1);
+  const auto states = 2 * static_cast<std::size_t>(half) + 1;
   const auto offset_of = [&](std::size_t s) { return (static_cast<double>(s) - half) * kStep; };
   std::vector<std::vector<double>> cost(line.size(), std::vector<double>(states));
   for (std::size_t i = 0; i < line.size(); ++i) {
