@@ -105,7 +105,7 @@ bool is_form_of(const Character& own, char32_t character) {
 /// "2429.0" for "24290".
 std::string with_dot(std::string code) {
   constexpr std::size_t kDigits = 4;
-  if (code.size() > kDigits && code[kDigits] != '.') code.insert(kDigits, ".");
+  if (code.size() > kDigits && code[kDigits] != '.') code.insert(code.begin() + kDigits, '.');
   return code;
 }
 
@@ -196,7 +196,8 @@ std::string KanjiDatabase::Inside::matching_meaning(char32_t code_point, std::st
     if (row.text(0) != "en") continue;
     const std::string text = row.text(1);
     const std::string folded = fold_meaning(text);
-    if (folded == key || folded.ends_with(" " + std::string(key))) return text;
+    if (folded == key || (folded.ends_with(key) && folded[folded.size() - key.size() - 1] == ' '))
+      return text;
   }
   return std::string(key);
 }
