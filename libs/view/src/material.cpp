@@ -6,14 +6,10 @@
 #include <glm/common.hpp>
 
 #include "palette.h"
+#include "rings.h"
 
 namespace nazori::view {
 namespace {
-
-float smooth_step(float low, float high, float x) {
-  const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-  return t * t * (3 - 2 * t);
-}
 
 float linear_channel(float c) { return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F); }
 
@@ -69,13 +65,7 @@ glm::vec3 Material::reflectance(const Grain& grain, glm::vec3 point_m, float car
 glm::vec3 Material::wood(const Grain& grain, glm::vec3 p) const {
   constexpr float kRing = 0.00215F;
   const float below = p.z + 0.030F + 0.085F * p.y + (tilt_.at(p.y * 11) - 0.5F) * 0.006F;
-  const float radius = std::sqrt(grain.across_m * grain.across_m + below * below) / kRing;
-  const float pace = radius + (pace_.at(radius * 0.37F) - 0.5F) * 1.3F;
-  const float ring = pace - std::floor(pace);
-  const float strength = 0.40F + 0.60F * strength_.at(std::floor(pace) * 0.71F);
-  // Early wood darkens slowly, late wood is a thin line that ends at once.
-  const float rising = ring * ring * (0.30F + 0.70F * ring * ring * ring);
-  const float late = rising * (1 - smooth_step(0.93F, 1.0F, ring)) * strength;
+  const float late = Rings::shared().at(std::sqrt(grain.across_m * grain.across_m + below * below) / kRing);
   const glm::vec3 tone =
       glm::mix(pale_, deep_, std::clamp(late * 1.05F + grain.cloud * 0.18F + 0.04F, 0.0F, 1.0F));
   return tone * grain.detail;

@@ -41,12 +41,10 @@ class Material {
   [[nodiscard]] glm::vec3 wood(const Grain& grain, glm::vec3 point_m) const;
   [[nodiscard]] glm::vec3 slate(const Grain& grain, glm::vec3 point_m, float carved) const;
   Style style_;
-  glm::vec3 pale_;               ///< early wood, or the mean of the stone
-  glm::vec3 deep_;               ///< late wood, or the stone's dark veins
-  glm::vec3 fresh_;              ///< freshly cut stone
-  NoiseLine tilt_{0.5F, 3};      ///< of the axis of the rings, along the board
-  NoiseLine pace_{7.5F, 4};      ///< of the rings, outwards
-  NoiseLine strength_{3.5F, 5};  ///< of late wood, ring by ring
+  glm::vec3 pale_;           ///< early wood, or the mean of the stone
+  glm::vec3 deep_;           ///< late wood, or the stone's dark veins
+  glm::vec3 fresh_;          ///< freshly cut stone
+  NoiseLine tilt_{0.5F, 3};  ///< of the axis of the rings, along the board
 };
 
 /// sRGB's transfer function, in both directions, channel by channel. @source IEC 61966-2-1.

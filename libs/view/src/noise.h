@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 namespace nazori::view {
+
+/// 0 up to `low`, 1 from `high` on, and a smooth step between.
+[[nodiscard]] inline float smooth_step(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+  return t * t * (3 - 2 * t);
+}
 
 /// A fixed pseudo-random number in [0, 1) for a lattice point: the same on every machine.
 [[nodiscard]] inline float lattice_random(std::int32_t x, std::int32_t y, std::uint32_t seed) {

@@ -9,6 +9,7 @@
 
 #include "../src/noise.h"
 #include "../src/palette.h"
+#include "../src/rings.h"
 
 namespace nazori::view {
 namespace {
@@ -153,6 +154,40 @@ TEST_P(Substances, LieBetweenTheirTwoColoursAndVaryLittleMore) {
     spread += std::pow(colour.y / mean.y - 1, 2) / static_cast<double>(all.size());
   EXPECT_GT(std::sqrt(spread), 0.02);
   EXPECT_LT(std::sqrt(spread), 0.2);
+}
+
+TEST(Rings, TheTableSaysWhatTheirDefinitionSays) {
+  double most = 0;
+  for (int i = 0; i <= 60 * 997; ++i) {
+    const float radius = static_cast<float>(i) / 997;
+    most = std::max<double>(most, std::abs(Rings::shared().at(radius) - Rings::late_wood(radius)));
+  }
+  EXPECT_LT(most, 0.004);
+  for (const float radius : {47.99F, 48.0F, 60.0F})
+    EXPECT_NEAR(Rings::shared().at(radius), Rings::late_wood(radius), 0.004) << radius;
+}
+
+TEST(Rings, AreAsManyAsTheRadiusSaysAndLateWoodEndsWithinATenthOfARing) {
+  int ends = 0;
+  float before = 0, high = 0;
+  int since_high = 0;
+  for (int i = 0; i <= 40 * 1000; ++i) {
+    const float late = Rings::late_wood(static_cast<float>(i) / 1000);
+    ASSERT_LT(std::abs(late - before), 0.08) << i << ": no step";
+    if (late > 0.35F && late >= before) {
+      high = late;
+      since_high = 0;
+    } else {
+      ++since_high;
+    }
+    if (high > 0 && late < 0.01F) {
+      ++ends;
+      EXPECT_LE(since_high, 250) << i;
+      high = 0;
+    }
+    before = late;
+  }
+  EXPECT_NEAR(ends, 40, 2);
 }
 
 TEST(Wood, HasRingsThatRunAlongTheBoardAndEndAtOnce) {
