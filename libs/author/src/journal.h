@@ -34,6 +34,13 @@ struct JournalRecord {
 /// @param records  the first is RecordKind::base. @return nothing where even that is not there.
 [[nodiscard]] std::optional<std::vector<JournalRecord>> read_journal(std::span<const std::uint8_t> bytes);
 
+/// A record that is not yet written.
+struct PendingRecord {
+  RecordKind kind = RecordKind::edit;
+  std::vector<std::uint8_t> content;
+  bool flush = false;
+};
+
 /// A change as the content of a record: what is to be in the character.
 [[nodiscard]] std::vector<std::uint8_t> to_record(const Change& change);
 /// @return nothing for bytes that are no change. Whether it fits a character is not checked.

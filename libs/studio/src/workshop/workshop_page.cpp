@@ -39,13 +39,18 @@ WorkshopPage::WorkshopPage(WindowParts& parts)
       bench_(std::make_unique<author::Workbench>(empty_editor())),
       canvas_(new CharacterCanvas(*bench_, widget_)),
       panel_(new WorkshopPanel(*actions_, widget_)),
-      tracer_(parts.inbox()) {
+      tracer_(parts.inbox()),
+      files_(parts.inbox()) {
   auto* row = new QHBoxLayout(widget_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   row->addWidget(canvas_, 1);
   row->addWidget(panel_);
   widget_->setFocusProxy(canvas_);
+  panel_->set_radicals([this](const QString& form) -> std::optional<int> {
+    const auto* database = this->parts().learner().database();
+    return database != nullptr ? database->radical_of_form(form.toStdString()) : std::nullopt;
+  });
   QSettings settings(parts.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   load(settings);
@@ -134,6 +139,7 @@ void WorkshopPage::connect_edits() {
   // While a line is drawn nothing but the line is painted again.
   subscribe(bench_->pen_moved, this, [this] { canvas_->update(); });
   subscribe(bench_->edited, this, [this](author::EditKind kind, author::EditWay way) {
+    ++edits_;
     clear_check();
     parts().respond(Feedback::hint, edit_words(kind, way));
     if (const auto error = bench_->editor().journal_error(); error && !std::exchange(journal_failed_, true))
@@ -149,6 +155,7 @@ void WorkshopPage::show_bench() {
   const auto state = bench_->editor().state();
   actions_->undo->setEnabled(state.undoes != author::EditKind::none);
   actions_->redo->setEnabled(state.redoes != author::EditKind::none);
+  actions_->instead->setChecked(bench_->character().facts.instead_of.has_value());
   actions_->clear_relief->setEnabled(!bench_->character().hand.is_untouched());
   canvas_->refresh();
   panel_->show_character(*bench_);
