@@ -189,6 +189,12 @@ base::Result<base::FileLock> Collection::lock() const {
   return base::FileLock::wait(folder_ / kLockName, kPatience);
 }
 
+/// The clock of files moves in steps of a few milliseconds: two changes in one step must differ, too.
+void Collection::note_change(fs::file_time_type before) const {
+  std::error_code ignored;
+  if (changed_at() == before) fs::last_write_time(folder_, before + std::chrono::microseconds(1), ignored);
+}
+
 base::Result<char32_t> Collection::free_place(const OwnCharacter& character) const {
   std::set<char32_t> taken;
   std::error_code ignored;
@@ -229,6 +235,7 @@ base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::opti
                       kanji::code_point_text(*as));
   const auto locked = lock();
   if (!locked) return tl::unexpected(locked.error());
+  const auto before = changed_at();
   if (!as && same_name == SameName::refuse) {
     const auto same = named(character.facts.name);
     if (!same) return tl::unexpected(same.error());
@@ -243,6 +250,7 @@ base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::opti
   if (character.facts.instead_of)
     if (auto freed = free_published(*character.facts.instead_of, *place); !freed)
       return tl::unexpected(std::move(freed.error()));
+  note_change(before);
   return place;
 }
 
@@ -255,12 +263,14 @@ base::Result<void> Collection::remove(char32_t code_point) const {
   if (folder_.empty() || !kanji::is_own(code_point) || !fs::exists(file, refused)) return not_kept();
   const auto locked = lock();
   if (!locked) return tl::unexpected(locked.error());
+  const auto before = changed_at();
   fs::path removed = file;
   removed += kRemovedEnding;
   fs::rename(file, removed, refused);
   // Another program may have removed it while this one waited.
   if (refused == std::errc::no_such_file_or_directory) return not_kept();
   if (refused) return base::fail(Errc::io, "cannot be removed: " + refused.message(), file.string());
+  note_change(before);
   return {};
 }
 

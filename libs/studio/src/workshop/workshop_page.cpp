@@ -40,7 +40,9 @@ WorkshopPage::WorkshopPage(WindowParts& parts)
       canvas_(new CharacterCanvas(*bench_, widget_)),
       panel_(new WorkshopPanel(*actions_, widget_)),
       tracer_(parts.inbox()),
-      files_(parts.inbox()) {
+      files_(parts.inbox()),
+      felt_(parts.inbox(),
+            [this](const practice::Tablet& tablet) { this->parts().tablet().set_tablet(tablet); }) {
   auto* row = new QHBoxLayout(widget_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -126,20 +128,35 @@ void WorkshopPage::enter() {
   parts().announce(Feedback::hint,
                    tr("Draw strokes with mouse or pen. 1 to 8: tools. K: check. S: describe what is there."));
   if (first) recover();
+  // A force-feedback device feels what is made, from here on after each edit.
+  is_shown_ = true;
+  begin_feeling();
 }
 
-void WorkshopPage::leave() { bench_->lose_pen(); }
+void WorkshopPage::leave() {
+  bench_->lose_pen();
+  is_shown_ = false;
+  felt_.end();
+}
+
+void WorkshopPage::begin_feeling() {
+  if (is_shown_) felt_.begin(bench_->editor().map(), bench_->character().strokes);
+}
 
 void WorkshopPage::refresh_appearance() { canvas_->refresh_appearance(); }
 
 void WorkshopPage::connect_edits() {
-  subscribe(bench_->relief_changed, this,
-            [this](const carving::GridBox& box) { canvas_->refresh_relief(box); });
+  subscribe(bench_->relief_changed, this, [this](const carving::GridBox& box) {
+    canvas_->refresh_relief(box);
+    if (is_shown_) felt_.update(bench_->editor().map(), box, bench_->character().strokes);
+  });
   subscribe(bench_->changed, this, [this] { show_bench(); });
   // While a line is drawn nothing but the line is painted again.
   subscribe(bench_->pen_moved, this, [this] { canvas_->update(); });
   subscribe(bench_->edited, this, [this](author::EditKind kind, author::EditWay way) {
     ++edits_;
+    // Direction and order of strokes change without a sample of the relief.
+    if (is_shown_) felt_.update(bench_->editor().map(), {}, bench_->character().strokes);
     clear_check();
     parts().respond(Feedback::hint, edit_words(kind, way));
     if (const auto error = bench_->editor().journal_error(); error && !std::exchange(journal_failed_, true))

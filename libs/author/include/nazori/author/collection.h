@@ -95,6 +95,7 @@ class Collection {
 
  private:
   [[nodiscard]] base::Result<base::FileLock> lock() const;
+  void note_change(std::filesystem::file_time_type before) const;
   [[nodiscard]] base::Result<char32_t> free_place(const OwnCharacter& character) const;
   [[nodiscard]] base::Result<void> free_published(char32_t instead_of, char32_t but) const;
 

@@ -14,6 +14,7 @@
 #include "nazori/author/tracer.h"
 #include "nazori/author/workbench.h"
 #include "nazori/kanji/character.h"
+#include "nazori/practice/felt_relief.h"
 #include "nazori/widgets/page/page.h"
 
 namespace nazori::ui {
@@ -81,6 +82,8 @@ class WorkshopPage final : public Page {
   void clear_check();
   void describe();
   void feel();
+  /// Hands the relief to the tablet that the device feels; later edits follow.
+  void begin_feeling();
 
   /// The file beside which unsaved work is kept.
   [[nodiscard]] std::filesystem::path unnamed_journal() const;
@@ -126,6 +129,7 @@ class WorkshopPage final : public Page {
   WorkshopPanel* panel_;
   QString file_;  ///< path of the document; empty where it has none
   bool entered_ = false;
+  bool is_shown_ = false;
   bool is_checked_ = false;
   bool journal_failed_ = false;  ///< said once for each document
   std::map<char32_t, kanji::Character> characters_;
@@ -135,6 +139,7 @@ class WorkshopPage final : public Page {
   std::size_t edits_ = 0;  ///< made, undone and redone since the window was opened
   author::Tracer tracer_;  // the threads are declared last, so that they end first
   author::CharacterFiles files_;
+  practice::FeltRelief felt_;
 };
 
 }  // namespace nazori::ui
