@@ -263,6 +263,11 @@ TEST(OwnForm, LosesTheOtherOrdersWithAnotherOrderDirectionOrCount) {
   Character turned = form;
   std::ranges::reverse(turned.strokes[0].line.points);
   EXPECT_THAT(changed(turned).alternative_orders, IsEmpty());
+  // Where no other stroke could be meant.
+  Character one = corrected(U'一');
+  EXPECT_EQ(changed(one).strokes[0].type, find(U'一').strokes[0].type);
+  std::ranges::reverse(one.strokes[0].line.points);
+  EXPECT_EQ(changed(one).strokes[0].type, "");
   Character shorter = form;
   shorter.strokes.pop_back();
   EXPECT_THAT(changed(shorter).alternative_orders, IsEmpty());
@@ -271,7 +276,7 @@ TEST(OwnForm, LosesTheOtherOrdersWithAnotherOrderDirectionOrCount) {
 
 // As a copy in the workshop has them: all named parts in one list, the pieces of one joined.
 TEST(OwnForm, KeepsTheTreeOfPartsUntilSomebodyChangesTheParts) {
-  for (const char32_t c : U"休園国") {
+  for (const char32_t c : U"休国林街") {
     if (c == 0) continue;
     const Character published = find(c);
     Character form = corrected(c);
