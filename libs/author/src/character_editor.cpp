@@ -94,6 +94,7 @@ struct CharacterEditor::Saving {
   std::uint64_t number = 0;
   std::optional<std::size_t> at;       // length of past_ in that state, while it can be reached by undoing
   std::vector<PendingRecord> records;  // for the journal that is being begun
+  JournalReach reach;                  // of that journal
 };
 
 CharacterEditor::CharacterEditor() = default;
@@ -146,9 +147,28 @@ CharacterEditor::Touched CharacterEditor::apply(Change change, bool goes_on) {
   return box;
 }
 
+/// To be called before an undo or redo, and after an edit.
+/// @param record  of an edit; of an undo or redo, what undoes or redoes it, where needs_change() says so.
 void CharacterEditor::note(std::uint8_t kind, const std::vector<std::uint8_t>& record, bool flush) {
-  if (journal_) journal_->append(static_cast<RecordKind>(kind), record, flush);
-  if (saving_) saving_->records.push_back({static_cast<RecordKind>(kind), record, flush});
+  const auto to_write = [&](JournalReach& reach) -> PendingRecord {
+    const auto as = static_cast<RecordKind>(kind);
+    if (as == RecordKind::undo && past_.size() > reach.floor) {
+      ++reach.redoable;
+      return {as, {}, flush};
+    }
+    if (as == RecordKind::redo && reach.redoable > 0) {
+      --reach.redoable;
+      return {as, {}, flush};
+    }
+    if (as == RecordKind::undo) reach.floor = past_.size() - 1;
+    reach.redoable = 0;
+    return {as == RecordKind::drag ? as : RecordKind::edit, record, flush};
+  };
+  if (journal_) {
+    const PendingRecord written = to_write(journal_->reach);
+    journal_->append(written.kind, written.content, written.flush);
+  }
+  if (saving_) saving_->records.push_back(to_write(saving_->reach));
 }
 
 SavePoint CharacterEditor::begin_save() {
@@ -156,6 +176,7 @@ SavePoint CharacterEditor::begin_save() {
   saving_ = std::make_unique<Saving>();
   saving_->number = ++calls;
   saving_->at = past_.size();
+  saving_->reach.floor = past_.size();
   SavePoint point;
   point.character = character_;
   point.map_size = map_.size();
@@ -170,6 +191,7 @@ void CharacterEditor::end_save(SavePoint point) {
   const std::unique_ptr<Saving> done = std::move(saving_);
   if (point.is_written) saved_at_ = done->at;
   if (!point.journal) return;
+  point.journal->reach = done->reach;
   for (const PendingRecord& record : done->records)
     point.journal->append(record.kind, record.content, record.flush);
   std::error_code ignored;
@@ -180,19 +202,25 @@ void CharacterEditor::end_save(SavePoint point) {
 
 GridBox CharacterEditor::undo() {
   if (past_.empty()) return {};
+  const auto is_below = [this](const JournalReach& reach) { return past_.size() <= reach.floor; };
+  const bool needs_change = (journal_ && is_below(journal_->reach)) || (saving_ && is_below(saving_->reach));
+  note(static_cast<std::uint8_t>(RecordKind::undo),
+       needs_change ? to_record(past_.back()) : std::vector<std::uint8_t>(), true);
   const GridBox box = swap(past_.back());
   future_.push_back(std::move(past_.back()));
   past_.pop_back();
-  note(static_cast<std::uint8_t>(RecordKind::undo), {}, true);
   return box;
 }
 
 GridBox CharacterEditor::redo() {
   if (future_.empty()) return {};
+  const auto is_below = [](const JournalReach& reach) { return reach.redoable == 0; };
+  const bool needs_change = (journal_ && is_below(journal_->reach)) || (saving_ && is_below(saving_->reach));
+  note(static_cast<std::uint8_t>(RecordKind::redo),
+       needs_change ? to_record(future_.back()) : std::vector<std::uint8_t>(), true);
   const GridBox box = swap(future_.back());
   past_.push_back(std::move(future_.back()));
   future_.pop_back();
-  note(static_cast<std::uint8_t>(RecordKind::redo), {}, true);
   return box;
 }
 

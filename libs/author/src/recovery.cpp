@@ -79,6 +79,7 @@ class JournalReplay {
     auto journal = Journal::go_on(path, end);
     if (!journal) return tl::unexpected(std::move(journal).error());
     editor->journal_ = *std::move(journal);
+    editor->journal_->reach = {0, editor->future_.size()};
     return editor;
   }
 

@@ -138,6 +138,27 @@ TEST_F(FilesOnAnotherThread, HaveTheStateOfTheCallAndEditsGoOnMeanwhile) {
   EXPECT_FALSE(again.state().is_saved);
 }
 
+TEST_F(FilesOnAnotherThread, BeginAJournalThatUndoesWhatWasDoneBefore) {
+  CharacterEditor edited = editor();
+  ASSERT_TRUE(edited.autosave_to(journal_path(path())));
+  ASSERT_TRUE(edited.set_ending(0, StrokeEnding::hook));
+  ASSERT_TRUE(edited.reverse_stroke(1));
+  save(edited);
+  (void)edited.undo();
+  (void)edited.undo();
+  (void)edited.redo();
+  finish();
+  (void)edited.undo();
+  (void)edited.redo();
+  (void)edited.redo();
+  (void)edited.undo();
+  std::optional<Recovery> recovery;
+  const CharacterEditor again = opened_again(recovery);
+  ASSERT_TRUE(recovery);
+  EXPECT_FALSE(recovery->is_cut);
+  EXPECT_EQ(again.character(), edited.character());
+}
+
 TEST_F(FilesOnAnotherThread, DoNotCountAsSavedOnceTheirStateIsGone) {
   CharacterEditor edited = editor();
   ASSERT_TRUE(edited.set_ending(0, StrokeEnding::hook));

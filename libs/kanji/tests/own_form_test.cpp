@@ -321,6 +321,12 @@ TEST(OwnForm, WithOtherStrokesHasItsOwnParts) {
   EXPECT_EQ(now.element, "永");
   ASSERT_EQ(now.children.size(), 1U);
   EXPECT_EQ(now.children.front().element, "三");
+  // One stroke more, in no part.
+  Character longer = corrected(U'休');
+  longer.strokes.push_back(longer.strokes.back());
+  for (int i = 0; i < 7; ++i) longer.components.strokes.push_back(i);
+  longer.components.children = find(U'休').components.children;
+  EXPECT_EQ(changed(longer).components.strokes.size(), 7U);
   Character nameless = other_form();
   nameless.components = nameless.components.children.front();
   nameless.components.element = "our way";
