@@ -98,7 +98,7 @@ TEST_F(AuthorKeep, UsesAFormInsteadOfThePublishedCharacterUntilItIsRemoved) {
   EXPECT_EQ(json[0].at("strokes").size(), 2U);
   EXPECT_TRUE(json[1].at("own_form").is_null());
   EXPECT_EQ(run({"info", code_point}).code, 1) << "it is the published character";
-  EXPECT_EQ(run({"worksheet", "一", "--kind", "quiz", "--output", folder_ / "q.pdf"}).code, 0);
+  EXPECT_EQ(run({"worksheet", "一", "--layout", "quiz", "--output", folder_ / "q.pdf"}).code, 0);
   // What somebody made is not KanjiVG's.
   const auto copy = nlohmann::json::parse(
       run({"author", "convert", "一", "--output", folder_ / "copy.nazori", "--json"}).out);

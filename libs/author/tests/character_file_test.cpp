@@ -119,11 +119,11 @@ TEST(CharacterFile, KnowsInWhosePlaceItIsUsed) {
         << wrong;
   for (const char32_t wrong : {0xF0000U, 0xFFFFDU, 0xD800U, 0xDFFFU, 0x110000U, 0x20U, 0x7FU, 0x9FU}) {
     character.facts.instead_of = wrong;
-    EXPECT_EQ(place_of_error(validate(character)), "instead_of") << wrong;
+    EXPECT_EQ(place_of_error(validate(character)), "instead_of") << static_cast<std::uint32_t>(wrong);
   }
   for (const char32_t right : {0x21U, 0x7EU, 0xA0U, 0xD7FFU, 0xE000U, 0xEFFFFU, 0xFFFFEU, 0x10FFFFU}) {
     character.facts.instead_of = right;
-    EXPECT_TRUE(validate(character)) << right;
+    EXPECT_TRUE(validate(character)) << static_cast<std::uint32_t>(right);
   }
 }
 

@@ -217,7 +217,9 @@ TEST_F(CollectionTest, UsesOneFormInThePlaceOfAPublishedCharacter) {
   EXPECT_EQ(collection_.find(code_point)->facts.instead_of, U'永');
   const char32_t other = keep(sign_called("休"));
   EXPECT_NE(other, code_point);
-  for (const auto& kept : collection_.read()->characters)
+  const auto both = collection_.read();
+  ASSERT_EQ(both->characters.size(), 2U);
+  for (const auto& kept : both->characters)
     EXPECT_EQ(kept.instead_of.has_value(), kept.code_point == code_point);
 }
 
