@@ -90,6 +90,13 @@ TEST_F(CollectionTest, GivesANameTheSameCodePointEverywhere) {
   EXPECT_NE(keep(sign_called("their sign")), other.named("our sign").value().front());
 }
 
+// FNV-1a of 32 bits of the name, modulo 65,534; of "a" it is published as E40C292C.
+TEST_F(CollectionTest, TakesTheCodePointFromTheName) {
+  EXPECT_EQ(keep(sign_called("a")), 0xF0000U + 0xE40C292CU % 65534U);
+  EXPECT_EQ(keep(sign_called("永")), 0xF71FDU);
+  EXPECT_EQ(keep(sign_called("a")), 0xF0001U + 0xE40C292CU % 65534U) << "the next one that is free";
+}
+
 TEST_F(CollectionTest, GivesTwoOfOneNameDifferentCodePoints) {
   const char32_t first = keep(sign_called("a"));
   const char32_t second = keep(sign_called("a"));
@@ -163,6 +170,16 @@ TEST_F(CollectionTest, NamesADamagedFileAndReadsTheOthers) {
   EXPECT_EQ(content->characters.front().code_point, code_point);
   ASSERT_EQ(content->unread.size(), 1U);
   EXPECT_THAT(content->unread.front().where, testing::HasSubstr(damaged.string()));
+}
+
+// As when another program removes it between the listing and the reading.
+TEST_F(CollectionTest, DoesNotCountWhatHasJustGoneAsDamaged) {
+  (void)keep(sign_called("a"));
+  fs::create_symlink(folder_ / "gone", collection_.folder() / "U+F0001.nazori");
+  const auto content = collection_.read();
+  ASSERT_TRUE(content);
+  EXPECT_EQ(content->characters.size(), 1U);
+  EXPECT_THAT(content->unread, IsEmpty());
 }
 
 TEST_F(CollectionTest, PassesOverFilesOfOtherNames) {
@@ -391,6 +408,14 @@ TEST(KanjiCharacter, SaysWhatIsKnownOfIt) {
   EXPECT_EQ(character.components.children.front().element, "木");
   EXPECT_THAT(character.components.children.front().strokes, ElementsAre(1));
   EXPECT_EQ(character.components.children.front().first_stroke, 1);
+}
+
+TEST(KanjiCharacter, HasReadingsOfKatakanaAloneAsOnyomi) {
+  OwnCharacter sign = sign_called("our sign");
+  sign.facts.readings = {"ラーヿ", "らー", "カか", "a", "゠ア"};
+  const kanji::Character character = kanji_character(sign, 0xF0005);
+  EXPECT_THAT(character.entry.on_readings, ElementsAre("ラーヿ", "゠ア"));
+  EXPECT_THAT(character.entry.kun_readings, ElementsAre("らー", "カか", "a"));
 }
 
 TEST(KanjiCharacter, WithTheNameOfOneLetterHasThatLetterAsItsPart) {
