@@ -172,6 +172,20 @@ TEST_F(CollectionTest, NamesADamagedFileAndReadsTheOthers) {
   EXPECT_THAT(content->unread.front().where, testing::HasSubstr(damaged.string()));
 }
 
+TEST_F(CollectionTest, CountsAFileWithoutStrokesAsDamaged) {
+  (void)keep(sign_called("a"));
+  OwnCharacter relief = sign_called("relief");
+  relief.strokes.clear();
+  relief.facts.parts.clear();
+  for (const char32_t at : {0xF0002U, 0xF0001U}) ASSERT_TRUE(save_character(relief, collection_.file_of(at)));
+  const auto content = collection_.read();
+  ASSERT_TRUE(content);
+  EXPECT_EQ(content->characters.size(), 1U);
+  ASSERT_EQ(content->unread.size(), 2U);
+  EXPECT_EQ(content->unread[0].what, "has no strokes");
+  EXPECT_EQ(content->unread[0].where, collection_.file_of(0xF0001).string()) << "in the order of their names";
+}
+
 // As when another program removes it between the listing and the reading.
 TEST_F(CollectionTest, DoesNotCountWhatHasJustGoneAsDamaged) {
   (void)keep(sign_called("a"));
