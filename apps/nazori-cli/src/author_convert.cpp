@@ -10,7 +10,9 @@
 #include "author.h"
 #include "characters.h"
 #include "json_answers.h"
+#include "nazori/author/collection.h"
 #include "nazori/base/file.h"
+#include "nazori/kanji/own_characters.h"
 #include "options.h"
 #include "output_files.h"
 
@@ -57,7 +59,14 @@ tl::expected<author::OwnCharacter, int> source_of(Console& console, const Author
   if (characters->size() != 1)
     return tl::unexpected(console.refuse(
         {base::Errc::bad_argument, "is more than one character", s.source, "convert them one by one"}));
-  return author::copy_of(characters->front());
+  const kanji::Character& one = characters->front();
+  const std::optional<char32_t> own =
+      kanji::is_own(one.code_point) ? std::optional(one.code_point) : one.own_form;
+  if (!own) return author::copy_of(one);
+  // What somebody made has widths, a relief and rights of its own.
+  auto made = author::Collection(author::Collection::usual_folder()).find(*own);
+  if (!made) return tl::unexpected(console.refuse(made.error()));
+  return *std::move(made);
 }
 
 int run(Console& console, const AuthorConvertSettings& s) {

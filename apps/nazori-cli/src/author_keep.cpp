@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "author.h"
+#include "characters.h"
 #include "json_answers.h"
 #include "nazori/author/collection.h"
 #include "nazori/base/utf8.h"
@@ -22,6 +23,8 @@ struct AuthorKeepSettings {
   std::vector<std::string> files;
   bool replaces = false;
   bool beside = false;
+  bool instead = false;
+  std::string database;
   bool json = false;
 };
 
@@ -36,13 +39,40 @@ struct AuthorRemoveSettings {
 
 author::Collection collection() { return author::Collection(author::Collection::usual_folder()); }
 
-Json kept_to_json(char32_t code_point, const std::string& name, std::size_t strokes) {
+Json kept_to_json(char32_t code_point, const std::string& name, std::size_t strokes,
+                  std::optional<char32_t> instead_of) {
   Json one;
   one["character"] = base::encode_utf8(code_point);
   one["code_point"] = kanji::code_point_text(code_point);
   one["name"] = name;
   one["strokes"] = strokes;
+  one["instead_of"] = instead_of ? Json(base::encode_utf8(*instead_of)) : Json();
   return one;
+}
+
+/// " instead of the published 永"; empty where it stands beside.
+std::string instead_text(std::optional<char32_t> instead_of) {
+  return instead_of ? fmt::format(" instead of the published {}", base::encode_utf8(*instead_of))
+                    : std::string();
+}
+
+/// Chooses in whose place a character is used: with --instead in that of the published one of its name.
+base::Result<void> choose_place(author::Facts& facts, const AuthorKeepSettings& s) {
+  if (s.beside) facts.instead_of.reset();
+  if (!s.instead) return {};
+  if (!facts.instead_of) {
+    const auto letters = base::decode_utf8(facts.name);
+    if (!letters || letters->size() != 1)
+      return base::fail(base::Errc::bad_argument, "is not the name of one published character", facts.name,
+                        "name it as the character that it takes the place of");
+    facts.instead_of = letters->front();
+  }
+  const auto database = open_database(s.database);
+  if (!database) return tl::unexpected(database.error());
+  if (!database->summary(*facts.instead_of))
+    return base::fail(base::Errc::not_found, "not in the database", base::encode_utf8(*facts.instead_of),
+                      "keep it without --instead: then it stands beside the others");
+  return {};
 }
 
 /// The kept character that a file replaces; none: it is a new one.
@@ -53,12 +83,13 @@ base::Result<std::optional<char32_t>> place_of(const author::OwnCharacter& chara
   if (!same) return tl::unexpected(same.error());
   if (same->empty()) return std::optional<char32_t>();
   if (s.replaces && same->size() == 1) return std::optional(same->front());
-  return base::fail(
-      base::Errc::in_use,
-      same->size() == 1 ? "is the name of a character that is kept already"
-                        : "is the name of several characters that are kept already",
-      character.facts.name,
-      same->size() == 1 ? "give --replace or --beside" : "remove all but one of them, or give --beside");
+  return base::fail(base::Errc::in_use,
+                    same->size() == 1 ? "is the name of a character that is kept already"
+                                      : "is the name of several characters that are kept already",
+                    character.facts.name,
+                    same->size() > 1 ? "remove all but one of them, or give --beside"
+                    : s.instead      ? "give --replace"
+                                     : "give --replace or --beside");
 }
 
 int keep(Console& console, const AuthorKeepSettings& s) {
@@ -70,6 +101,9 @@ int keep(Console& console, const AuthorKeepSettings& s) {
     // An SVG or a stroke order has no name of its own.
     if (read->character.facts.name.empty())
       read->character.facts.name = std::filesystem::path(file).stem().string();
+    if (auto placed = choose_place(read->character.facts, s); !placed)
+      return placed.error().code == base::Errc::not_found ? console.deny(placed.error())
+                                                          : console.refuse(placed.error());
     characters.push_back(std::move(read->character));
   }
   Json answers = Json::array();
@@ -78,13 +112,15 @@ int keep(Console& console, const AuthorKeepSettings& s) {
     const auto place = place_of(character, s);
     if (!place && place.error().code == base::Errc::in_use) return console.deny(place.error());
     if (!place) return console.refuse(place.error());
-    const auto kept = collection().keep(character, *place);
+    const auto kept =
+        collection().keep(character, *place, s.beside ? author::SameName::beside : author::SameName::refuse);
     if (!kept) return console.refuse(kept.error());
-    Json one = kept_to_json(*kept, character.facts.name, character.strokes.size());
+    const auto& instead_of = character.facts.instead_of;
+    Json one = kept_to_json(*kept, character.facts.name, character.strokes.size(), instead_of);
     one["replaced"] = place->has_value();
     answers.push_back(std::move(one));
-    text += fmt::format("{}  {}{}\n", kanji::code_point_text(*kept), character.facts.name,
-                        place->has_value() ? " (replaced)" : "");
+    text += fmt::format("{}  {}{}{}\n", kanji::code_point_text(*kept), character.facts.name,
+                        place->has_value() ? " (replaced)" : "", instead_text(instead_of));
   }
   console.print(s.json ? to_text(answers) : text);
   return kDone;
@@ -98,12 +134,12 @@ int show_kept(Console& console, const AuthorKeptSettings& s) {
   std::string text;
   for (const author::KeptCharacter& kept : content->characters) {
     const author::OwnCharacter& character = kept.character;
-    Json one = kept_to_json(kept.code_point, character.facts.name, character.strokes.size());
+    Json one = kept_to_json(kept.code_point, character.facts.name, character.strokes.size(), kept.instead_of);
     one["file"] = kept.file.string();
     answers.push_back(std::move(one));
-    text +=
-        fmt::format("{}  {}  {} stroke{}\n", kanji::code_point_text(kept.code_point), character.facts.name,
-                    character.strokes.size(), character.strokes.size() == 1 ? "" : "s");
+    text += fmt::format("{}  {}  {} stroke{}{}\n", kanji::code_point_text(kept.code_point),
+                        character.facts.name, character.strokes.size(),
+                        character.strokes.size() == 1 ? "" : "s", instead_text(kept.instead_of));
   }
   if (text.empty() && !s.json)
     text = "No characters of your own are kept. Keep one with: nazori-cli author keep FILE\n";
@@ -158,11 +194,20 @@ void add_author_keep(CLI::App& author, Action& chosen) {
     CLI::Option* const replaces =
         verb->add_flag("--replace", s->replaces,
                        "Replace the kept character of the same name; what was studied of it stays");
-    verb->add_flag("--beside", s->beside, "Keep it beside a character of the same name")->excludes(replaces);
+    CLI::Option* const beside =
+        verb->add_flag("--beside", s->beside,
+                       "Keep it beside a character of the same name, a kept or a published one")
+            ->excludes(replaces);
+    verb->add_flag("--instead", s->instead,
+                   "Use this form instead of the published character of its name: lists, search, study and "
+                   "worksheets have its strokes then, with the same study history")
+        ->excludes(beside);
     verb->add_flag("--json", s->json, "Print JSON (see docs/command-line.md)");
+    add_database_option(*verb, s->database);
     verb->footer(
         "Kept characters get code points U+F0000 to U+FFFFD, which name them in other\ncommands.\n\n"
         "Examples:\n  nazori-cli author keep sign.nazori\n  nazori-cli author keep sign.nazori --replace\n"
+        "  nazori-cli author keep corrected.nazori --instead\n"
         "  nazori-cli worksheet --list own --output mine.pdf");
     verb->callback([s, &chosen] { chosen = [s](Console& console) { return keep(console, *s); }; });
   }

@@ -172,6 +172,9 @@ std::string describe(const kanji::Character& character, const std::optional<kanj
   for (const kanji::AlternativeOrder& other : character.alternative_orders) {
     text += field("other order", fmt::format("{}  ({})", fmt::join(other.order, " "), other.source));
   }
+  if (character.own_form)
+    text += field("form", fmt::format("your own, {}, instead of the published one",
+                                      kanji::code_point_text(*character.own_form)));
   text += field("variants", character.variants, "  ", width);
   if (entry.frequency) text += field("frequency", fmt::format("{} in newspapers", *entry.frequency));
   if (entry.old_jlpt_level) text += field("old JLPT", fmt::format("level {}", *entry.old_jlpt_level));

@@ -77,6 +77,80 @@ TEST_F(AuthorKeep, CallsACharacterWithoutANameAsItsFile) {
   EXPECT_THAT(run({"author", "keep", folder_ / "our bar.svg"}).out, HasSubstr("  our bar\n"));
 }
 
+TEST_F(AuthorKeep, UsesAFormInsteadOfThePublishedCharacterUntilItIsRemoved) {
+  write(folder_ / "一.svg",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 109 109\"><g id=\"kvg:StrokePaths_x\">"
+        "<g id=\"kvg:x\"><path id=\"kvg:x-s1\" d=\"M20,50L90,50\"/><path id=\"kvg:x-s2\" d=\"M20,80L90,80\"/>"
+        "</g></g></svg>");
+  const Outcome kept = run({"author", "keep", folder_ / "一.svg", "--instead"});
+  EXPECT_EQ(kept.code, 0) << kept.err;
+  const std::string code_point = kept.out.substr(0, kept.out.find(' '));
+  EXPECT_EQ(kept.out, code_point + "  一 instead of the published 一\n");
+  EXPECT_EQ(run({"author", "kept"}).out, code_point + "  一  2 strokes instead of the published 一\n");
+  const auto listed = nlohmann::json::parse(run({"author", "kept", "--json"}).out);
+  EXPECT_EQ(listed.front().at("instead_of"), "一");
+  const Outcome info = run({"info", "一"});
+  EXPECT_THAT(info.out, HasSubstr("2 strokes · 1 in the dictionary"));
+  EXPECT_THAT(info.out,
+              HasSubstr("form        your own, " + code_point + ", instead of the published one\n"));
+  const auto json = nlohmann::json::parse(run({"info", "一", "二", "--json"}).out);
+  EXPECT_EQ(json[0].at("own_form"), code_point);
+  EXPECT_EQ(json[0].at("strokes").size(), 2U);
+  EXPECT_TRUE(json[1].at("own_form").is_null());
+  EXPECT_EQ(run({"info", code_point}).code, 1) << "it is the published character";
+  EXPECT_EQ(run({"worksheet", "一", "--layout", "quiz", "--output", folder_ / "q.pdf"}).code, 0);
+  // What somebody made is not KanjiVG's.
+  const auto copy = nlohmann::json::parse(
+      run({"author", "convert", "一", "--output", folder_ / "copy.nazori", "--json"}).out);
+  EXPECT_EQ(copy.at("strokes"), 2);
+  EXPECT_NE(copy.at("licence"), "CC-BY-SA-3.0");
+  EXPECT_EQ(run({"author", "remove", "一"}).code, 0);
+  EXPECT_THAT(run({"info", "一"}).out, HasSubstr("1 stroke · "));
+}
+
+TEST_F(AuthorKeep, ReplacesAFormAndTurnsTheChoiceOff) {
+  const auto keep_as = [this](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"author", "keep", sign(), "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome kept = run(arguments);
+    return kept.code == 0 ? nlohmann::json::parse(kept.out).front() : nlohmann::json();
+  };
+  const auto beside = keep_as({});
+  EXPECT_TRUE(beside.at("instead_of").is_null());
+  const Outcome refused = run({"author", "keep", sign(), "--instead"});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("give --replace"));
+  const auto instead = keep_as({"--instead", "--replace"});
+  EXPECT_EQ(instead.at("instead_of"), "二");
+  EXPECT_EQ(instead.at("code_point"), beside.at("code_point"));
+  EXPECT_EQ(instead.at("replaced"), true);
+  // The file of the collection has the choice in it.
+  const std::string file =
+      nlohmann::json::parse(run({"author", "kept", "--json"}).out).front().at("file").get<std::string>();
+  const Outcome again =
+      nazori_cli({"author", "keep", file, "--json"}, {"NAZORI_CHARACTERS=" + (folder_ / "other computer")});
+  EXPECT_EQ(nlohmann::json::parse(again.out).front().at("instead_of"), "二");
+  const Outcome off = nazori_cli({"author", "keep", file, "--beside", "--json"},
+                                 {"NAZORI_CHARACTERS=" + (folder_ / "third computer")});
+  EXPECT_TRUE(nlohmann::json::parse(off.out).front().at("instead_of").is_null());
+}
+
+TEST_F(AuthorKeep, RefusesThePlaceOfWhatIsNotPublished) {
+  const std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 109 109\"><g id=\"kvg:StrokePaths_x\">"
+      "<g id=\"kvg:x\"><path id=\"kvg:x-s1\" d=\"M20,50L90,50\"/></g></g></svg>";
+  write(folder_ / "our bar.svg", svg);
+  write(folder_ / "€.svg", svg);
+  const Outcome sign_name = run({"author", "keep", folder_ / "our bar.svg", "--instead"});
+  EXPECT_EQ(sign_name.code, 2);
+  EXPECT_THAT(sign_name.err, HasSubstr("is not the name of one published character"));
+  const Outcome unknown = run({"author", "keep", folder_ / "€.svg", "--instead"});
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("not in the database"));
+  EXPECT_EQ(run({"author", "keep", sign(), "--instead", "--beside"}).code, 2);
+  EXPECT_THAT(run({"author", "kept"}).out, StartsWith("No characters of your own are kept."));
+}
+
 TEST_F(AuthorKeep, KeepsNothingWhereOneFileIsWrong) {
   write(folder_ / "wrong.nazori", "no document");
   EXPECT_EQ(run({"author", "keep", sign(), folder_ / "wrong.nazori"}).code, 2);

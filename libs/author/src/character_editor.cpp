@@ -2,7 +2,9 @@
 #include "nazori/author/character_editor.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
+#include <system_error>
 #include <utility>
 
 #include "change.h"
@@ -87,6 +89,14 @@ base::Result<void> check_limits(const Change& change, const OwnCharacter& charac
 
 }  // namespace
 
+/// What is done while a state is being written.
+struct CharacterEditor::Saving {
+  std::uint64_t number = 0;
+  std::optional<std::size_t> at;       // length of past_ in that state, while it can be reached by undoing
+  std::vector<PendingRecord> records;  // for the journal that is being begun
+  JournalReach reach;                  // of that journal
+};
+
 CharacterEditor::CharacterEditor() = default;
 CharacterEditor::~CharacterEditor() = default;
 CharacterEditor::CharacterEditor(CharacterEditor&&) noexcept = default;
@@ -121,34 +131,96 @@ GridBox CharacterEditor::swap(Change& change) {
 }
 
 CharacterEditor::Touched CharacterEditor::apply(Change change, bool goes_on) {
-  const std::vector<std::uint8_t> record = journal_ ? to_record(change) : std::vector<std::uint8_t>();
+  const std::vector<std::uint8_t> record =
+      journal_ || saving_ ? to_record(change) : std::vector<std::uint8_t>();
   if (auto fit = check_limits(change, character_); !fit) return tl::unexpected(std::move(fit).error());
-  const bool merges = goes_on && !past_.empty() && saved_at_ != past_.size() &&
+  const bool is_being_saved = saving_ && saving_->at == past_.size();
+  const bool merges = goes_on && !past_.empty() && saved_at_ != past_.size() && !is_being_saved &&
                       past_.back().kind == change.kind && past_.back().stroke == change.stroke &&
                       past_.back().point == change.point;
   const GridBox box = swap(change);
   future_.clear();
-  if (saved_at_ && *saved_at_ > past_.size()) saved_at_.reset();
+  for (auto* at : {&saved_at_, saving_ ? &saving_->at : nullptr})
+    if (at != nullptr && *at && **at > past_.size()) at->reset();
   if (!merges) past_.push_back(std::move(change));
-  if (journal_) journal_->append(merges ? RecordKind::drag : RecordKind::edit, record, !merges);
+  note(static_cast<std::uint8_t>(merges ? RecordKind::drag : RecordKind::edit), record, !merges);
   return box;
+}
+
+/// To be called before an undo or redo, and after an edit.
+/// @param record  of an edit; of an undo or redo, what undoes or redoes it, where needs_change() says so.
+void CharacterEditor::note(std::uint8_t kind, const std::vector<std::uint8_t>& record, bool flush) {
+  const auto to_write = [&](JournalReach& reach) -> PendingRecord {
+    const auto as = static_cast<RecordKind>(kind);
+    if (as == RecordKind::undo && past_.size() > reach.floor) {
+      ++reach.redoable;
+      return {as, {}, flush};
+    }
+    if (as == RecordKind::redo && reach.redoable > 0) {
+      --reach.redoable;
+      return {as, {}, flush};
+    }
+    if (as == RecordKind::undo) reach.floor = past_.size() - 1;
+    reach.redoable = 0;
+    return {as == RecordKind::drag ? as : RecordKind::edit, record, flush};
+  };
+  if (journal_) {
+    const PendingRecord written = to_write(journal_->reach);
+    journal_->append(written.kind, written.content, written.flush);
+  }
+  if (saving_) saving_->records.push_back(to_write(saving_->reach));
+}
+
+SavePoint CharacterEditor::begin_save() {
+  static std::atomic<std::uint64_t> calls{0};
+  saving_ = std::make_unique<Saving>();
+  saving_->number = ++calls;
+  saving_->at = past_.size();
+  saving_->reach.floor = past_.size();
+  SavePoint point;
+  point.character = character_;
+  point.map_size = map_.size();
+  point.number = saving_->number;
+  point.has_journal = journal_ != nullptr;
+  point.is_of_file = saved_at_ == past_.size();
+  return point;
+}
+
+void CharacterEditor::end_save(SavePoint point) {
+  if (!saving_ || saving_->number != point.number) return;
+  const std::unique_ptr<Saving> done = std::move(saving_);
+  if (point.is_written) saved_at_ = done->at;
+  if (!point.journal) return;
+  point.journal->reach = done->reach;
+  for (const PendingRecord& record : done->records)
+    point.journal->append(record.kind, record.content, record.flush);
+  std::error_code ignored;
+  if (journal_ && journal_->path() != point.journal->path())
+    std::filesystem::remove(journal_->path(), ignored);
+  journal_ = std::move(point.journal);
 }
 
 GridBox CharacterEditor::undo() {
   if (past_.empty()) return {};
+  const auto is_below = [this](const JournalReach& reach) { return past_.size() <= reach.floor; };
+  const bool needs_change = (journal_ && is_below(journal_->reach)) || (saving_ && is_below(saving_->reach));
+  note(static_cast<std::uint8_t>(RecordKind::undo),
+       needs_change ? to_record(past_.back()) : std::vector<std::uint8_t>(), true);
   const GridBox box = swap(past_.back());
   future_.push_back(std::move(past_.back()));
   past_.pop_back();
-  if (journal_) journal_->append(RecordKind::undo, {}, true);
   return box;
 }
 
 GridBox CharacterEditor::redo() {
   if (future_.empty()) return {};
+  const auto is_below = [](const JournalReach& reach) { return reach.redoable == 0; };
+  const bool needs_change = (journal_ && is_below(journal_->reach)) || (saving_ && is_below(saving_->reach));
+  note(static_cast<std::uint8_t>(RecordKind::redo),
+       needs_change ? to_record(future_.back()) : std::vector<std::uint8_t>(), true);
   const GridBox box = swap(future_.back());
   past_.push_back(std::move(future_.back()));
   future_.pop_back();
-  if (journal_) journal_->append(RecordKind::redo, {}, true);
   return box;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <numeric>
@@ -29,6 +30,7 @@ using base::Errc;
 constexpr std::string_view kKeptEnding = ".nazori";
 constexpr std::string_view kRemovedEnding = ".removed";
 constexpr std::string_view kCodePointMark = "U+";
+constexpr std::string_view kLockName = ".lock";  ///< held by what changes the folder
 
 /// "U+F1A2B.nazori" names a character; anything else in the folder is not ours.
 std::optional<char32_t> kept_code_point(const std::string& file_name) {
@@ -152,7 +154,7 @@ base::Result<CollectionContent> Collection::read() const {
     if (character && character->strokes.empty())
       character = base::fail(Errc::parse, "has no strokes", at->path().string());
     if (character)
-      content.characters.push_back({*code_point, at->path(), *std::move(character)});
+      content.characters.push_back({*code_point, at->path(), *std::move(character), {}});
     else
       content.unread.push_back(std::move(character.error()));
   }
@@ -163,6 +165,11 @@ base::Result<CollectionContent> Collection::read() const {
     return std::tie(a.character.facts.name, a.code_point) < std::tie(b.character.facts.name, b.code_point);
   });
   std::ranges::sort(content.unread, {}, &base::Error::where);
+  std::set<char32_t> replaced;
+  for (KeptCharacter& kept : content.characters)
+    if (const auto published = kept.character.facts.instead_of;
+        published && replaced.insert(*published).second)
+      kept.instead_of = published;
   return content;
 }
 
@@ -172,7 +179,50 @@ base::Result<OwnCharacter> Collection::find(char32_t code_point) const {
   return load_character(file_of(code_point));
 }
 
-base::Result<char32_t> Collection::prepare(const OwnCharacter& character, std::optional<char32_t> as) const {
+base::Result<base::FileLock> Collection::lock() const {
+  constexpr std::chrono::seconds kPatience{2};
+  std::error_code refused;
+  fs::create_directories(folder_, refused);
+  if (refused)
+    return base::fail(Errc::io, "cannot be made: " + refused.message(), folder_.string(),
+                      "check who may write there");
+  return base::FileLock::wait(folder_ / kLockName, kPatience);
+}
+
+/// The clock of files moves in steps of a few milliseconds: two changes in one step must differ, too.
+void Collection::note_change(fs::file_time_type before) const {
+  std::error_code ignored;
+  if (changed_at() == before) fs::last_write_time(folder_, before + std::chrono::microseconds(1), ignored);
+}
+
+base::Result<char32_t> Collection::free_place(const OwnCharacter& character) const {
+  std::set<char32_t> taken;
+  std::error_code ignored;
+  for (fs::directory_iterator at(folder_, ignored), end; !ignored && at != end; at.increment(ignored)) {
+    // What is removed keeps its code point: learners may have studied it.
+    std::string name = at->path().filename().string();
+    if (name.ends_with(kRemovedEnding)) name.resize(name.size() - kRemovedEnding.size());
+    if (const auto known = kept_code_point(name)) taken.insert(*known);
+  }
+  if (const auto place = free_code_point(character.facts.name, taken)) return *place;
+  return base::fail(Errc::io, "has no room for another character", folder_.string());
+}
+
+base::Result<void> Collection::free_published(char32_t instead_of, char32_t but) const {
+  const auto content = read();
+  if (!content) return tl::unexpected(content.error());
+  for (const KeptCharacter& kept : content->characters) {
+    if (kept.code_point == but || kept.character.facts.instead_of != instead_of) continue;
+    auto whole = load_character(kept.file);
+    if (!whole) return tl::unexpected(std::move(whole.error()));
+    whole->facts.instead_of.reset();
+    if (auto saved = save_character(*whole, kept.file); !saved) return saved;
+  }
+  return {};
+}
+
+base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::optional<char32_t> as,
+                                        SameName same_name) const {
   if (folder_.empty())
     return base::fail(Errc::io, "there is no folder for own characters", "HOME", "set NAZORI_CHARACTERS");
   if (character.facts.name.empty())
@@ -183,43 +233,44 @@ base::Result<char32_t> Collection::prepare(const OwnCharacter& character, std::o
   if (as && !kanji::is_own(*as))
     return base::fail(Errc::bad_argument, "is no code point of an own character",
                       kanji::code_point_text(*as));
-  if (!as) {
-    std::set<char32_t> taken;
-    std::error_code ignored;
-    for (fs::directory_iterator at(folder_, ignored), end; !ignored && at != end; at.increment(ignored)) {
-      // What is removed keeps its code point: learners may have studied it.
-      std::string name = at->path().filename().string();
-      if (name.ends_with(kRemovedEnding)) name.resize(name.size() - kRemovedEnding.size());
-      if (const auto known = kept_code_point(name)) taken.insert(*known);
-    }
-    as = free_code_point(character.facts.name, taken);
-    if (!as) return base::fail(Errc::io, "has no room for another character", folder_.string());
+  const auto locked = lock();
+  if (!locked) return tl::unexpected(locked.error());
+  const auto before = changed_at();
+  if (!as && same_name == SameName::refuse) {
+    const auto same = named(character.facts.name);
+    if (!same) return tl::unexpected(same.error());
+    if (!same->empty())
+      return base::fail(Errc::in_use, "is the name of a character that is kept already", character.facts.name,
+                        "replace it, or keep both");
   }
-  std::error_code refused;
-  fs::create_directories(folder_, refused);
-  if (refused)
-    return base::fail(Errc::io, "cannot be made: " + refused.message(), folder_.string(),
-                      "check who may write there");
-  return *as;
-}
-
-base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::optional<char32_t> as) const {
-  const auto place = prepare(character, as);
+  const auto place = as ? base::Result<char32_t>(*as) : free_place(character);
   if (!place) return place;
   if (auto saved = save_character(character, file_of(*place)); !saved)
     return tl::unexpected(std::move(saved.error()));
+  if (character.facts.instead_of)
+    if (auto freed = free_published(*character.facts.instead_of, *place); !freed)
+      return tl::unexpected(std::move(freed.error()));
+  note_change(before);
   return place;
 }
 
 base::Result<void> Collection::remove(char32_t code_point) const {
   const fs::path file = file_of(code_point);
-  std::error_code refused;
-  if (folder_.empty() || !kanji::is_own(code_point) || !fs::exists(file, refused))
+  const auto not_kept = [&] {
     return base::fail(Errc::not_found, "is not kept", kanji::code_point_text(code_point));
+  };
+  std::error_code refused;
+  if (folder_.empty() || !kanji::is_own(code_point) || !fs::exists(file, refused)) return not_kept();
+  const auto locked = lock();
+  if (!locked) return tl::unexpected(locked.error());
+  const auto before = changed_at();
   fs::path removed = file;
   removed += kRemovedEnding;
   fs::rename(file, removed, refused);
+  // Another program may have removed it while this one waited.
+  if (refused == std::errc::no_such_file_or_directory) return not_kept();
   if (refused) return base::fail(Errc::io, "cannot be removed: " + refused.message(), file.string());
+  note_change(before);
   return {};
 }
 
@@ -244,8 +295,10 @@ base::Result<kanji::KanjiDatabase> open_with_own(const fs::path& database, const
   std::vector<kanji::Character> own;
   auto content = collection.read();
   if (content) {
-    for (const KeptCharacter& kept : content->characters)
-      own.push_back(kanji_character(kept.character, kept.code_point));
+    for (const KeptCharacter& kept : content->characters) {
+      own.push_back(kanji_character(kept.character, kept.instead_of.value_or(kept.code_point)));
+      if (kept.instead_of) own.back().own_form = kept.code_point;
+    }
   }
   if (unread != nullptr)
     *unread = content ? std::move(content->unread) : std::vector<base::Error>{std::move(content.error())};

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "nazori/base/utf8.h"
 #include "nazori/json/json.h"
 #include "nazori/json/reader.h"
 
@@ -26,6 +27,15 @@ std::vector<std::string> texts_of(json::Reader::Object& object, const char* memb
     texts.push_back(one.get<std::string>());
   }
   return texts;
+}
+
+std::optional<char32_t> one_letter(json::Reader::Object& object, const char* member) {
+  std::string text;
+  object.read(member, text);
+  const auto letters = base::decode_utf8(text);
+  if (letters && letters->size() == 1) return letters->front();
+  object.refuse(member, "is not one letter");
+  return std::nullopt;
 }
 
 std::vector<int> strokes_of(json::Reader::Object& part) {
@@ -62,6 +72,8 @@ std::string to_json(const Facts& facts) {
   }
   value["parts"] = std::move(parts);
   value["radical"] = facts.radical ? json::Value(*facts.radical) : json::Value();
+  // Without the choice a file has the same bytes as before there was one.
+  if (facts.instead_of) value["instead_of"] = base::encode_utf8(*facts.instead_of);
   value["licence"] = facts.rights.licence;
   value["author"] = facts.rights.author;
   value["source"] = facts.rights.source;
@@ -91,6 +103,7 @@ base::Result<Facts> parse_facts(std::string_view text) {
     });
   }
   if (root.has("radical")) facts.radical = static_cast<int>(root.whole("radical", 1, 214));
+  if (root.has("instead_of")) facts.instead_of = one_letter(root, "instead_of");
   root.read("licence", facts.rights.licence);
   root.read("author", facts.rights.author);
   root.read("source", facts.rights.source);

@@ -34,6 +34,13 @@ struct JournalRecord {
 /// @param records  the first is RecordKind::base. @return nothing where even that is not there.
 [[nodiscard]] std::optional<std::vector<JournalRecord>> read_journal(std::span<const std::uint8_t> bytes);
 
+/// A record that is not yet written.
+struct PendingRecord {
+  RecordKind kind = RecordKind::edit;
+  std::vector<std::uint8_t> content;
+  bool flush = false;
+};
+
 /// A change as the content of a record: what is to be in the character.
 [[nodiscard]] std::vector<std::uint8_t> to_record(const Change& change);
 /// @return nothing for bytes that are no change. Whether it fits a character is not checked.
@@ -47,6 +54,13 @@ struct JournalBase {
 };
 [[nodiscard]] std::vector<std::uint8_t> to_record(const JournalBase& base);
 [[nodiscard]] std::optional<JournalBase> parse_base(std::span<const std::uint8_t> content);
+
+/// What of the undo of a document its journal brings back, too. What was changed before the journal began is
+/// undone and redone by changes of its own there.
+struct JournalReach {
+  std::size_t floor = 0;     ///< changes that can be undone, but not in the journal
+  std::size_t redoable = 0;  ///< changes that can be redone in the journal
+};
 
 /// The journal of an open document. Every record is on its way to the disk when append() returns, so it
 /// outlives the program; what is flushed outlives the machine, too. After the first error nothing more is
@@ -66,6 +80,7 @@ class Journal {
   void append(RecordKind kind, std::span<const std::uint8_t> content, bool flush);
   [[nodiscard]] const std::optional<base::Error>& error() const { return error_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  JournalReach reach;
 
  private:
   Journal(std::filesystem::path path, int fd) : path_(std::move(path)), fd_(fd) {}

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "nazori/base/utf8.h"
+#include "nazori/kanji/own_characters.h"
 
 namespace nazori::author {
 namespace {
@@ -39,6 +40,13 @@ base::Result<void> check_texts(const std::vector<std::string>& texts, const std:
     if (auto fit = check_text(texts[i], kLongestText, where); !fit) return fit;
   }
   return {};
+}
+
+/// Whether Unicode could have a character there that a database knows.
+bool is_publishable(char32_t c) {
+  const bool is_control = c <= 0x20 || (c >= 0x7F && c < 0xA0);
+  const bool is_surrogate = c >= 0xD800 && c < 0xE000;
+  return !is_control && !is_surrogate && c <= 0x10FFFF && !kanji::is_own(c);
 }
 
 /// Whether a point is in the picture or not farther from it than its side. @source KanjiVG's reader.
@@ -91,6 +99,8 @@ base::Result<void> validate(const Facts& facts, std::size_t strokes) {
   }
   if (facts.radical && (*facts.radical < 1 || *facts.radical > kRadicals))
     return refuse("is not one of the classical ones", "radical", "give 1 to 214");
+  if (facts.instead_of && !is_publishable(*facts.instead_of))
+    return refuse("is no character that could be published", "instead_of", "give one letter, such as 永");
   if (auto fit = check_text(facts.rights.licence, kLongestText, "licence"); !fit) return fit;
   if (auto fit = check_text(facts.rights.author, kLongestText, "author"); !fit) return fit;
   return check_text(facts.rights.source, kLongestText, "source");

@@ -79,6 +79,7 @@ class JournalReplay {
     auto journal = Journal::go_on(path, end);
     if (!journal) return tl::unexpected(std::move(journal).error());
     editor->journal_ = *std::move(journal);
+    editor->journal_->reach = {0, editor->future_.size()};
     return editor;
   }
 
@@ -144,13 +145,27 @@ base::Result<CharacterEditor> CharacterEditor::recover(const std::filesystem::pa
   return JournalReplay::run(journal, recovery, size, nullptr);
 }
 
-base::Result<void> CharacterEditor::autosave_to(const std::filesystem::path& path) {
-  auto document = to_bytes(character_);
+base::Result<void> CharacterEditor::write_journal(SavePoint& point, const std::filesystem::path& journal) {
+  auto document = to_bytes(point.character);
   if (!document) return tl::unexpected(std::move(document).error());
-  auto journal = Journal::begin(path, {map_.size(), saved_at_ == past_.size(), *std::move(document)});
-  if (!journal) return tl::unexpected(std::move(journal).error());
-  journal_ = *std::move(journal);
+  auto begun = Journal::begin(journal, {point.map_size, point.is_of_file, *std::move(document)});
+  if (!begun) return tl::unexpected(std::move(begun).error());
+  point.journal = *std::move(begun);
   return {};
+}
+
+base::Result<void> CharacterEditor::write_document(SavePoint& point, const std::filesystem::path& path) {
+  if (auto saved = save_character(point.character, path); !saved) return saved;
+  point.is_written = true;
+  point.is_of_file = true;
+  return point.has_journal ? write_journal(point, journal_path(path)) : base::Result<void>();
+}
+
+base::Result<void> CharacterEditor::autosave_to(const std::filesystem::path& path) {
+  SavePoint point = begin_save();
+  auto begun = write_journal(point, path);
+  end_save(std::move(point));
+  return begun;
 }
 
 std::optional<base::Error> CharacterEditor::journal_error() const {
@@ -158,14 +173,10 @@ std::optional<base::Error> CharacterEditor::journal_error() const {
 }
 
 base::Result<void> CharacterEditor::save(const std::filesystem::path& path) {
-  if (auto saved = save_character(character_, path); !saved) return saved;
-  saved_at_ = past_.size();
-  if (!journal_) return {};
-  const std::filesystem::path old = journal_->path();
-  if (auto begun = autosave_to(journal_path(path)); !begun) return begun;
-  std::error_code ignored;
-  if (old != journal_->path()) std::filesystem::remove(old, ignored);
-  return {};
+  SavePoint point = begin_save();
+  auto saved = write_document(point, path);
+  end_save(std::move(point));
+  return saved;
 }
 
 void CharacterEditor::close_journal() {

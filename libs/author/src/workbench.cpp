@@ -419,6 +419,11 @@ base::Result<void> Workbench::autosave_to(const std::filesystem::path& path) {
   return begun;
 }
 
+void Workbench::end_save(SavePoint point) {
+  editor_.end_save(std::move(point));
+  changed();
+}
+
 base::Result<void> Workbench::save(const std::filesystem::path& path) {
   auto saved = editor_.save(path);
   changed();

@@ -72,6 +72,43 @@ TEST_F(Autosave, WithoutAJournalNothingIsRecovered) {
   EXPECT_FALSE(fs::exists(journal_path(path_)));
 }
 
+// A journal begins again when the document is saved. What was changed before is still undone after it.
+TEST_F(Autosave, UndoReachesBehindTheLastSave) {
+  OwnCharacter last;
+  {
+    CharacterEditor editor = open();
+    ASSERT_TRUE(editor.autosave_to(journal_path(path_)));
+    ASSERT_TRUE(editor.set_ending(0, StrokeEnding::hook));
+    ASSERT_TRUE(editor.reverse_stroke(1));
+    ASSERT_TRUE(editor.move_point(0, 0, {11, 12}));
+    ASSERT_TRUE(editor.save(path_));
+    (void)editor.undo();
+    (void)editor.undo();
+    (void)editor.redo();
+    (void)editor.undo();
+    ASSERT_TRUE(editor.delete_stroke(1));
+    (void)editor.undo();
+    (void)editor.redo();
+    last = editor.character();
+  }
+  {
+    CharacterEditor editor = open();
+    ASSERT_TRUE(recovery_);
+    EXPECT_FALSE(recovery_->is_cut);
+    EXPECT_EQ(editor.character(), last);
+    // The journal goes on.
+    (void)editor.undo();
+    EXPECT_EQ(editor.character().strokes.size(), 2U);
+    (void)editor.redo();
+    (void)editor.undo();
+    ASSERT_TRUE(editor.set_ending(1, StrokeEnding::hook));
+    last = editor.character();
+  }
+  CharacterEditor editor = open();
+  EXPECT_FALSE(recovery_->is_cut);
+  EXPECT_EQ(editor.character(), last);
+}
+
 TEST_F(Autosave, AllEditsComeBackWithTheirUndo) {
   std::vector<OwnCharacter> states;
   {

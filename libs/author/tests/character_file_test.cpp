@@ -101,6 +101,32 @@ TEST(CharacterFile, UnknownMembersArePassedOver) {
   EXPECT_EQ(parse_character(with_member(cross(), "meta.json", meta))->facts.name, "b");
 }
 
+TEST(CharacterFile, KnowsInWhosePlaceItIsUsed) {
+  OwnCharacter character = cross();
+  const auto meta_of = [&character] {
+    const auto members = archive::read_zip(bytes_of(character));
+    return std::string((*members)[0].content.begin(), (*members)[0].content.end());
+  };
+  EXPECT_EQ(meta_of().find("instead_of"), std::string::npos) << "the bytes of files without it stay";
+  character.facts.instead_of = U'永';
+  EXPECT_NE(meta_of().find(R"("instead_of": "永")"), std::string::npos) << meta_of();
+  EXPECT_EQ(parse_character(bytes_of(character))->facts.instead_of, U'永');
+  for (const char* const wrong :
+       {R"("")", R"("永遠")", "27704", R"("\u0001")", R"(" ")", R"("\udb80\udc01")"})
+    EXPECT_NE(refusal(with_member(cross(), "meta.json",
+                                  R"({"nazori_character": 1, "instead_of": )" + std::string(wrong) + "}")),
+              "")
+        << wrong;
+  for (const char32_t wrong : {0xF0000U, 0xFFFFDU, 0xD800U, 0xDFFFU, 0x110000U, 0x20U, 0x7FU, 0x9FU}) {
+    character.facts.instead_of = wrong;
+    EXPECT_EQ(place_of_error(validate(character)), "instead_of") << static_cast<std::uint32_t>(wrong);
+  }
+  for (const char32_t right : {0x21U, 0x7EU, 0xA0U, 0xD7FFU, 0xE000U, 0xEFFFFU, 0xFFFFEU, 0x10FFFFU}) {
+    character.facts.instead_of = right;
+    EXPECT_TRUE(validate(character)) << static_cast<std::uint32_t>(right);
+  }
+}
+
 TEST(CharacterFile, ANewerVersionIsRefusedClearly) {
   const auto bytes = with_member(cross(), "meta.json", R"({"nazori_character": 2})");
   EXPECT_EQ(refusal(bytes), "meta.json: was made by a newer version of this program (update this program)");

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "environment_variable.h"
@@ -85,6 +88,13 @@ TEST_F(CollectionTest, GivesANameTheSameCodePointEverywhere) {
   const Collection other(folder_ / "other");
   EXPECT_EQ(keep(sign_called("our sign")), other.keep(sign_called("our sign")).value());
   EXPECT_NE(keep(sign_called("their sign")), other.named("our sign").value().front());
+}
+
+// FNV-1a of 32 bits of the name, modulo 65,534; of "a" it is published as E40C292C.
+TEST_F(CollectionTest, TakesTheCodePointFromTheName) {
+  EXPECT_EQ(keep(sign_called("a")), 0xF0000U + 0xE40C292CU % 65534U);
+  EXPECT_EQ(keep(sign_called("永")), 0xF71FDU);
+  EXPECT_EQ(keep(sign_called("a")), 0xF0001U + 0xE40C292CU % 65534U) << "the next one that is free";
 }
 
 TEST_F(CollectionTest, GivesTwoOfOneNameDifferentCodePoints) {
@@ -162,6 +172,30 @@ TEST_F(CollectionTest, NamesADamagedFileAndReadsTheOthers) {
   EXPECT_THAT(content->unread.front().where, testing::HasSubstr(damaged.string()));
 }
 
+TEST_F(CollectionTest, CountsAFileWithoutStrokesAsDamaged) {
+  (void)keep(sign_called("a"));
+  OwnCharacter relief = sign_called("relief");
+  relief.strokes.clear();
+  relief.facts.parts.clear();
+  for (const char32_t at : {0xF0002U, 0xF0001U}) ASSERT_TRUE(save_character(relief, collection_.file_of(at)));
+  const auto content = collection_.read();
+  ASSERT_TRUE(content);
+  EXPECT_EQ(content->characters.size(), 1U);
+  ASSERT_EQ(content->unread.size(), 2U);
+  EXPECT_EQ(content->unread[0].what, "has no strokes");
+  EXPECT_EQ(content->unread[0].where, collection_.file_of(0xF0001).string()) << "in the order of their names";
+}
+
+// As when another program removes it between the listing and the reading.
+TEST_F(CollectionTest, DoesNotCountWhatHasJustGoneAsDamaged) {
+  (void)keep(sign_called("a"));
+  fs::create_symlink(folder_ / "gone", collection_.folder() / "U+F0001.nazori");
+  const auto content = collection_.read();
+  ASSERT_TRUE(content);
+  EXPECT_EQ(content->characters.size(), 1U);
+  EXPECT_THAT(content->unread, IsEmpty());
+}
+
 TEST_F(CollectionTest, PassesOverFilesOfOtherNames) {
   const char32_t code_point = keep(sign_called("a"));
   const fs::path kept = collection_.read()->characters.front().file;
@@ -188,6 +222,141 @@ TEST_F(CollectionTest, SaysThatItHasChanged) {
   last = past();
   EXPECT_TRUE(collection_.remove(code_point));
   EXPECT_NE(collection_.changed_at(), last);
+}
+
+TEST_F(CollectionTest, SaysSoAfterEachOfManyFastChanges) {
+  const char32_t code_point = keep(sign_called("a"));
+  auto last = collection_.changed_at();
+  for (int i = 0; i < 50; ++i) {
+    (void)keep(sign_called("a"), code_point);
+    EXPECT_NE(collection_.changed_at(), std::exchange(last, collection_.changed_at())) << i;
+  }
+}
+
+OwnCharacter form_of(char32_t published, const std::string& name) {
+  OwnCharacter form = sign_called(name);
+  form.facts.instead_of = published;
+  return form;
+}
+
+TEST_F(CollectionTest, UsesOneFormInThePlaceOfAPublishedCharacter) {
+  const char32_t code_point = keep(form_of(U'永', "永"));
+  EXPECT_TRUE(kanji::is_own(code_point));
+  const auto content = collection_.read();
+  ASSERT_TRUE(content);
+  EXPECT_EQ(content->characters.front().instead_of, U'永');
+  EXPECT_EQ(collection_.find(code_point)->facts.instead_of, U'永');
+  const char32_t other = keep(sign_called("休"));
+  EXPECT_NE(other, code_point);
+  const auto both = collection_.read();
+  ASSERT_EQ(both->characters.size(), 2U);
+  for (const auto& kept : both->characters)
+    EXPECT_EQ(kept.instead_of.has_value(), kept.code_point == code_point);
+}
+
+TEST_F(CollectionTest, PutsAnEarlierFormOfTheSameCharacterBesideTheOthers) {
+  const char32_t first = keep(form_of(U'永', "b"));
+  const char32_t elsewhere = keep(form_of(U'休', "c"));
+  OwnCharacter with_relief = form_of(U'永', "a");
+  with_relief.hand.size = 16;
+  with_relief.hand.heights.assign(256, 0.5F);
+  const char32_t second = keep(with_relief);
+  EXPECT_FALSE(collection_.find(first)->facts.instead_of);
+  EXPECT_EQ(collection_.find(elsewhere)->facts.instead_of, U'休');
+  EXPECT_EQ(keep(form_of(U'永', "b"), first), first);
+  OwnCharacter now_beside = with_relief;
+  now_beside.facts.instead_of.reset();
+  EXPECT_EQ(collection_.find(second).value(), now_beside) << "with all of it, the relief, too";
+  EXPECT_EQ(collection_.find(first)->facts.instead_of, U'永');
+}
+
+// As where files of two computers were put together.
+TEST_F(CollectionTest, OfTwoFormsInOnePlaceUsesTheFirst) {
+  const char32_t second = keep(form_of(U'永', "b"));
+  ASSERT_TRUE(save_character(form_of(U'永', "a"), collection_.file_of(0xF0001)));
+  const auto content = collection_.read();
+  ASSERT_EQ(content->characters.size(), 2U);
+  EXPECT_EQ(content->characters[0].code_point, 0xF0001U);
+  EXPECT_EQ(content->characters[0].instead_of, U'永');
+  EXPECT_EQ(content->characters[1].code_point, second);
+  EXPECT_FALSE(content->characters[1].instead_of);
+  const auto database = open_with_own(*kanji::KanjiDatabase::locate(), collection_);
+  ASSERT_TRUE(database) << base::to_line(database.error());
+  EXPECT_EQ(database->find(U'永')->own_form, 0xF0001U);
+  EXPECT_TRUE(database->find(second));
+}
+
+TEST_F(CollectionTest, BringsThePublishedCharacterBackWhenItsFormIsRemoved) {
+  const auto strokes_of_it = [this] {
+    const auto database = open_with_own(*kanji::KanjiDatabase::locate(), collection_);
+    EXPECT_TRUE(database);
+    return database->find(U'永')->strokes.size();
+  };
+  EXPECT_EQ(strokes_of_it(), 5U);
+  const char32_t code_point = keep(form_of(U'永', "永"));
+  EXPECT_EQ(strokes_of_it(), 2U);
+  EXPECT_TRUE(collection_.remove(code_point));
+  EXPECT_EQ(strokes_of_it(), 5U);
+}
+
+TEST_F(CollectionTest, RefusesANameThatIsKeptWhereItIsToBeAsked) {
+  const char32_t first = keep(sign_called("a"));
+  const auto refused = collection_.keep(sign_called("a"), {}, SameName::refuse);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, base::Errc::in_use);
+  EXPECT_EQ(refused.error().where, "a");
+  EXPECT_THAT(code_points(), ElementsAre(first));
+  EXPECT_EQ(collection_.keep(sign_called("a"), first, SameName::refuse).value(), first) << "it is replaced";
+  EXPECT_TRUE(collection_.keep(sign_called("b"), {}, SameName::refuse));
+}
+
+TEST_F(CollectionTest, WaitsForAnotherProgramThatWrites) {
+  (void)keep(sign_called("a"));
+  const char32_t removed = keep(sign_called("b"));
+  bool is_locked = false;
+  {
+    const auto lock = base::FileLock::take(collection_.folder() / ".lock", is_locked);
+    ASSERT_TRUE(lock);
+    const auto refused = collection_.keep(sign_called("c"));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, base::Errc::in_use);
+    EXPECT_EQ(refused.error().where, collection_.folder().string());
+    EXPECT_EQ(collection_.remove(removed).error().code, base::Errc::in_use);
+    EXPECT_EQ(code_points().size(), 2U) << "reading does not wait";
+  }
+  EXPECT_TRUE(collection_.keep(sign_called("c")));
+  EXPECT_TRUE(collection_.remove(removed));
+}
+
+// Two processes keep characters of the same names; one more reads all the while.
+TEST_F(CollectionTest, LosesNothingWhereTwoProgramsKeepAtOnce) {
+  constexpr int kEach = 12;
+  std::vector<pid_t> programs;
+  for (int program = 0; program < 2; ++program) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      int failed = 0;
+      for (int i = 0; i < kEach; ++i)
+        if (!collection_.keep(sign_called("sign " + std::to_string(i)))) ++failed;
+      ::_exit(failed);
+    }
+    programs.push_back(child);
+  }
+  std::size_t running = programs.size();
+  while (running > 0) {
+    const auto content = collection_.read();
+    ASSERT_TRUE(content);
+    EXPECT_THAT(content->unread, IsEmpty()) << "no file is half written";
+    for (pid_t& program : programs) {
+      int status = 0;
+      if (program == 0 || ::waitpid(program, &status, WNOHANG) != program) continue;
+      EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+      program = 0;
+      --running;
+    }
+  }
+  EXPECT_EQ(code_points().size(), 2U * kEach);
 }
 
 TEST_F(CollectionTest, IsWhereTheVariableSaysOrElseWithTheUsersData) {
@@ -253,6 +422,14 @@ TEST(KanjiCharacter, SaysWhatIsKnownOfIt) {
   EXPECT_EQ(character.components.children.front().element, "木");
   EXPECT_THAT(character.components.children.front().strokes, ElementsAre(1));
   EXPECT_EQ(character.components.children.front().first_stroke, 1);
+}
+
+TEST(KanjiCharacter, HasReadingsOfKatakanaAloneAsOnyomi) {
+  OwnCharacter sign = sign_called("our sign");
+  sign.facts.readings = {"ラーヿ", "らー", "カか", "a", "゠ア"};
+  const kanji::Character character = kanji_character(sign, 0xF0005);
+  EXPECT_THAT(character.entry.on_readings, ElementsAre("ラーヿ", "゠ア"));
+  EXPECT_THAT(character.entry.kun_readings, ElementsAre("らー", "カか", "a"));
 }
 
 TEST(KanjiCharacter, WithTheNameOfOneLetterHasThatLetterAsItsPart) {

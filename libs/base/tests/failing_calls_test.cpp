@@ -118,13 +118,13 @@ TEST_F(FailingFiles, ANewOneHasTheModeOfAnyNewFileAndAReplacedOneItsOwn) {
 }
 
 TEST_F(FailingFiles, AReadGoesOnAfterInterruptionsAndShortReads) {
-  std::ofstream(file_) << std::string(1000, 'x') + "end";
+  std::ofstream(file_) << std::string(1000, 'x').append("end");
   FailingCalls calls;
   calls.interruptions = 3;
   calls.most_bytes = 7;
   const auto read = read_file(file_, 2000);
   ASSERT_TRUE(read);
-  EXPECT_EQ(std::string(read->begin(), read->end()), std::string(1000, 'x') + "end");
+  EXPECT_EQ(std::string(read->begin(), read->end()), std::string(1000, 'x').append("end"));
 }
 
 TEST_F(FailingFiles, OneThatBecameShorterWhileItWasReadIsWhatIsLeftOfIt) {

@@ -100,6 +100,7 @@ Value to_json(const kanji::Character& character, const std::optional<kanji::Radi
       {"character", base::encode_utf8(character.code_point)},
       {"code_point", kanji::code_point_text(character.code_point)},
       {"variant", character.variant},
+      {"own_form", character.own_form ? Value(kanji::code_point_text(*character.own_form)) : Value(nullptr)},
       {"stroke_count", character.strokes.size()},
       {"dictionary_stroke_counts", entry.stroke_counts},
       {"grade", or_null(entry.grade)},

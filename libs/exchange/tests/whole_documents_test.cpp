@@ -27,6 +27,7 @@ TEST(WholeDocument, OfACharacter) {
   kanji::Character character;
   character.code_point = U'休';
   character.variant = "Kaisho";
+  character.own_form = 0xF0007;
   kanji::Stroke stroke;
   stroke.type = "㇒";
   stroke.path = "M1,2L3,4";
@@ -59,7 +60,8 @@ TEST(WholeDocument, OfACharacter) {
   const std::vector<kanji::Word> words{{"休日", "きゅうじつ", {"holiday"}, {1}, "n", true, false}};
   EXPECT_EQ(
       to_line(to_json(character, radical, words)),
-      R"({"character":"休","code_point":"U+4F11","variant":"Kaisho","stroke_count":1,)"
+      R"({"character":"休","code_point":"U+4F11","variant":"Kaisho","own_form":"U+F0007",)"
+      R"("stroke_count":1,)"
       R"("dictionary_stroke_counts":[6,5],"grade":1,"frequency":642,"old_jlpt_level":4,)"
       R"("radical":{"number":9,"form":"人","variant_forms":["亻","𠆢"],"japanese_names":["ひと"],)"
       R"("english_name":"person","strokes":2},)"

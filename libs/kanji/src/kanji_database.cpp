@@ -14,6 +14,7 @@
 #include "nazori/base/utf8.h"
 #include "nazori/kanji/character_name.h"
 #include "nazori/kanji/own_characters.h"
+#include "own_form.h"
 #include "own_rows.h"
 
 namespace nazori::kanji {
@@ -38,7 +39,11 @@ std::vector<int> read_numbers(std::string_view text) {
 base::Result<void> check_own(const std::vector<Character>& own) {
   std::set<char32_t> known;
   for (const Character& one : own) {
-    if (is_own(one.code_point) && known.insert(one.code_point).second) continue;
+    const bool is_its_own = is_own(one.own_form.value_or(one.code_point));
+    const bool is_published = one.own_form && !is_own(one.code_point);
+    if (is_its_own && is_published == one.own_form.has_value() && known.insert(one.code_point).second &&
+        (!one.own_form || known.insert(*one.own_form).second))
+      continue;
     return base::fail(base::Errc::bad_argument, "is not a code point of its own for an own character",
                       code_point_text(one.code_point), "give each another one of U+F0000 to U+FFFFD");
   }
@@ -47,11 +52,11 @@ base::Result<void> check_own(const std::vector<Character>& own) {
 
 }  // namespace
 
-KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file,
-                              std::vector<Character> own_characters)
+KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file, OwnForms made)
     : db(std::move(opened)),
       name(std::move(file)),
-      own(std::move(own_characters)),
+      own(std::move(made.beside)),
+      forms(std::move(made.replaced)),
       character(db,
                 "SELECT strokes, grade, frequency, old_jlpt, radical FROM character WHERE code_point = ?"),
       form(db, "SELECT id FROM form WHERE code_point = ? AND variant = ?"),
@@ -120,6 +125,7 @@ void KanjiDatabase::Inside::load_roster() {
     entry.reading = row.text(8);
     entry.old_jlpt = row.number(9);
     entry.frequency = row.number(10);
+    entry.is_made = is_own(entry.code_point) || forms.contains(entry.code_point);
     places_.emplace(entry.code_point, static_cast<std::size_t>(place));
   }
 }
@@ -175,8 +181,9 @@ base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& pat
                             std::to_string(kSchemaVersion),
                         path.string(), kRebuild);
     }
-    if (!own.empty()) add_own_rows(db, own);
-    return KanjiDatabase(std::make_unique<Inside>(std::move(db), path.string(), std::move(own)));
+    OwnForms forms = sorted_forms(db, std::move(own));
+    if (!forms.beside.empty() || !forms.replaced.empty()) add_own_rows(db, forms);
+    return KanjiDatabase(std::make_unique<Inside>(std::move(db), path.string(), std::move(forms)));
   } catch (const SQLite::Exception& e) {
     const bool refused = e.getErrorCode() == SQLITE_CANTOPEN || e.getErrorCode() == SQLITE_IOERR;
     return base::fail(refused ? base::Errc::io : base::Errc::schema,
@@ -249,6 +256,8 @@ std::optional<Character> KanjiDatabase::find(char32_t code_point, std::string_vi
     for_each_row(inside_->codes, [&](Rewound& row) {
       out.entry.codes.push_back({row.text(0), row.text(1)});
     });
+    const auto form_of_it = variant.empty() ? inside_->forms.find(code_point) : inside_->forms.end();
+    if (form_of_it != inside_->forms.end()) take_form(out, form_of_it->second);
     return out;
   });
 }
@@ -279,7 +288,7 @@ std::vector<Summary> KanjiDatabase::list(List which) const {
       case List::latin_and_digits:
         return e.kind == CharacterKind::latin;
       case List::own:
-        return is_own(e.code_point);
+        return e.is_made;
       case List::all:
         return e.drawn > 0;
     }
@@ -398,9 +407,15 @@ void KanjiDatabase::for_each_stroke(const std::function<void(const StrokePath&)>
         "c.code_point = f.code_point JOIN stroke s ON s.form = f.id WHERE f.variant = '' ORDER BY f.id, "
         "s.number");
     while (row.executeStep()) {
+      const auto code_point = static_cast<char32_t>(row.getColumn(0).getInt());
+      if (inside_->forms.contains(code_point)) continue;
       const auto path = row.getColumn(2);
       const char* text = path.getText();
-      take({static_cast<char32_t>(row.getColumn(0).getInt()), row.getColumn(1).getInt(), text});
+      take({code_point, row.getColumn(1).getInt(), text});
+    }
+    for (const auto& [code_point, one] : inside_->forms) {
+      const auto rank = static_cast<int>(inside_->place_of(code_point).value_or(0));
+      for (const Stroke& stroke : one.strokes) take({code_point, rank, stroke.path});
     }
     auto place = static_cast<int>(inside_->first_own());
     for (const Character& one : inside_->own) {

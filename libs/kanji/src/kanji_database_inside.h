@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/kanji/schema.h"
+#include "own_rows.h"
 
 namespace nazori::kanji {
 
@@ -22,12 +24,13 @@ namespace nazori::kanji {
 struct RosterEntry {
   char32_t code_point = 0;
   CharacterKind kind = CharacterKind::other;
-  int drawn = 0;      ///< strokes of the main form, 0 where nothing is drawn
-  int counted = 0;    ///< the dictionary's count, 0 where it has none
-  int grade = 0;      ///< 0: none
-  int radical = 0;    ///< 0: none
-  int old_jlpt = 0;   ///< 0: none
-  int frequency = 0;  ///< 0: none
+  int drawn = 0;         ///< strokes of the main form, 0 where nothing is drawn
+  int counted = 0;       ///< the dictionary's count, 0 where it has none
+  int grade = 0;         ///< 0: none
+  int radical = 0;       ///< 0: none
+  int old_jlpt = 0;      ///< 0: none
+  int frequency = 0;     ///< 0: none
+  bool is_made = false;  ///< somebody made its form
   std::string meaning;
   std::string reading;
 };
@@ -52,7 +55,7 @@ class Rewound {
 };
 
 struct KanjiDatabase::Inside {
-  Inside(SQLite::Database opened, std::string file, std::vector<Character> own_characters);
+  Inside(SQLite::Database opened, std::string file, OwnForms made);
 
   /// Runs `work`. If the database fails, returns `otherwise` and stores the error for trouble().
   template <class Answer, class Work>
@@ -90,8 +93,9 @@ struct KanjiDatabase::Inside {
 
   SQLite::Database db;
   std::string name;
-  std::vector<Character> own;          ///< in the order of their places, after those of the file
-  std::optional<base::Error> trouble;  ///< the first error since it was opened
+  std::vector<Character> own;           ///< in the order of their places, after those of the file
+  std::map<char32_t, Character> forms;  ///< that take the place of those of the file
+  std::optional<base::Error> trouble;   ///< the first error since it was opened
   SQLite::Statement character, form, variants, strokes, components, orders;
   SQLite::Statement stroke_counts, readings, meanings, codes;
   SQLite::Statement all_characters, words, heard_words, elements;

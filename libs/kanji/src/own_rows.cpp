@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "nazori/kanji/schema.h"
 #include "nazori/kanji/search_keys.h"
@@ -35,14 +36,38 @@ void make_views(SQLite::Database& db) {
     const std::string table(name);
     // A temporary view is found before a table of the file that has the same name.
     db.exec("CREATE TEMP TABLE own_" + table + " AS SELECT * FROM main." + table + " WHERE false");
-    db.exec("CREATE TEMP VIEW " + table + " AS SELECT * FROM main." + table +
+    // A form that takes the place of a published character brings that one's row with it.
+    const std::string others =
+        table == "character" ? " WHERE code_point NOT IN (SELECT code_point FROM own_character)" : "";
+    db.exec("CREATE TEMP VIEW " + table + " AS SELECT * FROM main." + table + others +
             " UNION ALL SELECT * FROM own_" + table);
   }
 }
 
 }  // namespace
 
-void add_own_rows(SQLite::Database& db, std::span<const Character> own) {
+OwnForms sorted_forms(SQLite::Database& db, std::vector<Character> own) {
+  OwnForms forms;
+  SQLite::Statement known(db, "SELECT 1 FROM main.character WHERE code_point = ?");
+  for (Character& one : own) {
+    if (one.own_form) {
+      known.bind(1, static_cast<std::int64_t>(one.code_point));
+      const bool is_published = known.executeStep();
+      known.reset();
+      if (is_published) {
+        const char32_t place = one.code_point;
+        forms.replaced.emplace(place, std::move(one));
+        continue;
+      }
+      one.code_point = *one.own_form;
+      one.own_form.reset();
+    }
+    forms.beside.push_back(std::move(one));
+  }
+  return forms;
+}
+
+void add_own_rows(SQLite::Database& db, const OwnForms& own) {
   std::int64_t place = db.execAndGet("SELECT count(*) FROM main.character").getInt64();
   make_views(db);
   RowWriter characters(db, "INSERT INTO own_character VALUES(?, ?, ?, ?, ?, NULL, NULL, NULL, ?, ?, ?)");
@@ -51,7 +76,23 @@ void add_own_rows(SQLite::Database& db, std::span<const Character> own) {
   RowWriter found_readings(db, "INSERT INTO own_reading_key VALUES(?, ?, ?)");
   RowWriter found_meanings(db, "INSERT INTO own_meaning_key VALUES(?, ?, ?)");
   RowWriter elements(db, "INSERT INTO own_element_of VALUES(?, ?)");
-  for (const Character& one : own) {
+  RowWriter replaced(
+      db,
+      "INSERT INTO own_character SELECT code_point, place, kind, ?, counted, grade, frequency, "
+      "old_jlpt, radical, meaning, reading FROM main.character WHERE code_point = ?");
+  RowWriter more_elements(
+      db,
+      "INSERT INTO own_element_of SELECT ?1, place FROM main.character WHERE code_point = "
+      "?2 AND NOT EXISTS (SELECT 1 FROM main.element_of e WHERE e.element = ?1 AND "
+      "e.place = main.character.place)");
+  for (const auto& [code_point, one] : own.replaced) {
+    const auto key = static_cast<std::int64_t>(code_point);
+    replaced.add(static_cast<int>(one.strokes.size()), key);
+    // The published parts stay searchable, too.
+    for (const std::string& element : element_keys(code_point, one.components))
+      more_elements.add(element, key);
+  }
+  for (const Character& one : own.beside) {
     const auto key = static_cast<std::int64_t>(one.code_point);
     const auto strokes = static_cast<int>(one.strokes.size());
     const DictionaryEntry& entry = one.entry;

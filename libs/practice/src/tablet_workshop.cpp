@@ -66,6 +66,7 @@ base::Result<void> save_tablet(const tablet::CarvedTablet& carved, const std::fi
 
 struct CarveRequest {
   char32_t code_point;
+  std::optional<char32_t> own;  ///< the own character whose form it has
   std::vector<tablet::TabletLine> lines;
 };
 
@@ -99,9 +100,9 @@ base::Result<Tablet> carve_own(const path& folder, char32_t code_point) {
 }
 
 Answer answer_to(const CarveRequest& request, const path& own_characters, Recent& recent) {
-  if (kanji::is_own(request.code_point) && !own_characters.empty()) {
+  if (request.own && !own_characters.empty()) {
     // Not cached: it may be changed at any time.
-    auto made = carve_own(own_characters, request.code_point);
+    auto made = carve_own(own_characters, *request.own);
     if (!made) return Failure{{}, made.error()};
     return CarvedCharacter{request.code_point, *std::move(made)};
   }
@@ -159,7 +160,9 @@ TabletWorkshop::TabletWorkshop(base::Inbox& inbox, path own_characters)
 TabletWorkshop::~TabletWorkshop() = default;
 
 void TabletWorkshop::carve(const kanji::Character& character) {
-  inside_->latest.request(CarveRequest{character.code_point, tablet::tablet_lines(character.lines())});
+  std::optional<char32_t> own = character.own_form;
+  if (!own && kanji::is_own(character.code_point)) own = character.code_point;
+  inside_->latest.request(CarveRequest{character.code_point, own, tablet::tablet_lines(character.lines())});
 }
 
 void TabletWorkshop::show(const OwnTablet& own) {

@@ -212,6 +212,104 @@ TEST_F(OwnCharactersStudied, AreCarvedAsTheyWereMade) {
   EXPECT_EQ(samples(carve()), samples(*author::carve(sign, TabletWorkshop::kSize)));
 }
 
+// 一 as somebody teaches it: an arch over a bar.
+author::OwnCharacter form_of_one() {
+  author::OwnCharacter form = arch();
+  form.facts.name = "一";
+  form.facts.instead_of = U'一';
+  return form;
+}
+
+TEST_F(OwnCharactersStudied, InThePlaceOfAPublishedOneAreJudgedAndCarvedUnderItsCodePoint) {
+  WritingJudge judge(inbox_, source());
+  std::optional<writing::Grade> grade;
+  judge.judged.connect([&grade](std::uint64_t, const writing::Grade& one) { grade = one; });
+  const auto judged = [&](std::vector<std::size_t> strokes) {
+    grade.reset();
+    JudgeRequest request;
+    request.character = U'一';
+    request.ink = written(arch(), std::move(strokes));
+    request.finished = true;
+    judge.judge(request);
+    inbox_.run_until([&grade] { return grade.has_value(); });
+    return grade->accepted;
+  };
+  TabletWorkshop workshop(inbox_, own_characters());
+  Tablet carved;
+  char32_t carved_as = 0;
+  workshop.carved.connect([&](char32_t one, const Tablet& tablet) {
+    carved_as = one;
+    carved = tablet;
+  });
+  const auto carve = [&] {
+    carved.reset();
+    workshop.carve(*learner_->database()->find(U'一'));
+    inbox_.run_until([&carved] { return carved != nullptr; });
+    return carved->height_map();
+  };
+  const auto published = carve();
+  EXPECT_FALSE(judged({0, 1}));
+  const char32_t form = keep(form_of_one());
+  EXPECT_TRUE(judged({0, 1}));
+  EXPECT_FALSE(judged({1, 0}));
+  EXPECT_EQ(carve(), *author::carve(form_of_one(), TabletWorkshop::kSize));
+  EXPECT_EQ(carved_as, U'一');
+  EXPECT_EQ(carved->lines().size(), 2U);
+  ASSERT_TRUE(collection().remove(form));
+  learner_->renew_characters();
+  EXPECT_FALSE(judged({0, 1}));
+  EXPECT_EQ(carve(), published);
+}
+
+TEST_F(OwnCharactersStudied, InThePlaceOfAPublishedOneGoOnWithItsHistory) {
+  ASSERT_TRUE(learner_->store().save_list({"few", {U'一', U'二'}}));
+  auto settings = learner_->store().settings();
+  settings.new_lists = {"list:few"};
+  settings.new_order = study::NewOrder::own;
+  ASSERT_TRUE(learner_->store().change_settings(settings));
+  learner_->renew_order();
+  const study::Time first = clock_.calendar();
+  std::map<char32_t, std::vector<int>> asked;
+  for (int day = 0; day < 6; ++day) {
+    clock_.set_calendar(first + days(day));
+    open();
+    if (day == 2) (void)keep(form_of_one());
+    EXPECT_EQ(learner_->lists()->facts(U'一')->strokes, day < 2 ? 1 : 2);
+    if (!session_->start()) continue;
+    int steps = 0;
+    while (session_->is_running() && ++steps < 60) {
+      clock_.advance(std::chrono::seconds(20));
+      if (session_->stage() == Stage::memory) {
+        asked[session_->character()].push_back(day);
+        write(true);
+      } else {
+        session_->finish_stage(session_->stage(), {});
+      }
+      session_->go_on();
+    }
+  }
+  EXPECT_GE(asked[U'一'].size(), 3U);
+  EXPECT_EQ(asked[U'一'], asked[U'二']) << "as if nothing had happened";
+  EXPECT_EQ(asked.size(), 2U) << "it is one character, not two";
+  EXPECT_THAT(*learner_->lists()->members("own", learner_->store()), ElementsAre(U'一'));
+}
+
+TEST_F(OwnCharactersStudied, InThePlaceOfAPublishedOneAreFoundByDrawing) {
+  WritingJudge judge(inbox_, source());
+  std::vector<char32_t> found;
+  bool answered = false;
+  judge.recognised.connect([&](std::uint64_t, const std::vector<FoundCharacter>& candidates) {
+    found.clear();
+    for (const auto& one : candidates) found.push_back(one.character);
+    answered = true;
+  });
+  (void)keep(form_of_one());
+  judge.recognise(written(arch(), {0, 1}), 10);
+  inbox_.run_until([&answered] { return answered; });
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front(), U'一');
+}
+
 TEST_F(OwnCharactersStudied, ArePrintedOnWorksheets) {
   const char32_t sign = keep(arch());
   WorksheetMaker maker(inbox_, source());

@@ -2,13 +2,31 @@
 #include "sheets.h"
 
 #include <cstddef>
+#include <deque>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "nazori/base/utf8.h"
+#include "nazori/kanji/own_characters.h"
+#include "nazori/kanji/search_keys.h"
 
 namespace nazori::print {
+
+namespace {
+
+/// An own character as a word of one letter: no dictionary has words with it.
+kanji::Word as_word(const kanji::Character& own) {
+  kanji::Word word;
+  word.text = base::encode_utf8(own.code_point);
+  word.reading = kanji::first_reading(own.entry);
+  const std::string meaning = kanji::first_meaning(own.entry);
+  if (!meaning.empty()) word.glosses = {meaning};
+  return word;
+}
+
+}  // namespace
 
 void Sheets::quiz_line(const kanji::Word& word, const Flow& flow, double across, Canvas& canvas,
                        bool answer) {
@@ -63,9 +81,15 @@ void Sheets::quiz() {
     for (const Line& line : lines) quiz_line(*line.word, Flow(area(), s_.vertical), line.across, back, true);
   };
   std::set<std::string> asked;
+  std::deque<kanji::Word> made;  // lines refer to them
   for (const SheetCharacter& one : characters_) {
     const Flow flow(area(), s_.vertical);
-    for (const kanji::Word& word : one.words) {
+    std::span<const kanji::Word> words = one.words;
+    if (words.empty() && kanji::is_own(one.character.code_point)) {
+      made.push_back(as_word(one.character));
+      words = {&made.back(), 1};
+    }
+    for (const kanji::Word& word : words) {
       const double cells = static_cast<double>(wide(word.text).size()) * s_.cell_mm;
       if (cells > flow.length() * 0.6 || !asked.insert(word.text).second) continue;
       const bool is_full = lines.empty() || used_depth_ + s_.cell_mm > flow.depth() + 1e-6;

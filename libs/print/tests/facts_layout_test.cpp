@@ -172,6 +172,32 @@ TEST(SheetLanguage, LabelsAndHeaderAreInTheLanguageOfTheSheet) {
   }
 }
 
+// No dictionary has words with a character that somebody made.
+TEST(Quiz, AsksForAnOwnCharacterByItsOwnReadingAndMeaning) {
+  SheetCharacter own = described({});
+  own.character.code_point = 0xF1234;
+  own.character.entry.kun_readings = {"まなびや"};
+  own.character.entry.meanings = {{"en", "school sign"}};
+  SheetCharacter second = own;
+  second.character.code_point = 0xF0007;
+  second.character.entry.kun_readings.clear();
+  second.character.entry.meanings = {{"en", "club sign"}};
+  SheetSettings settings;
+  settings.layout = Layout::quiz;
+  settings.answers = true;
+  auto made = Worksheet::lay_out({own, second}, settings);
+  ASSERT_TRUE(made) << base::to_line(made.error());
+  ASSERT_EQ(made->page_count(), 2U);
+  EXPECT_THAT(made->page(0).text, HasSubstr("まなびや"));
+  EXPECT_THAT(made->page(0).text, HasSubstr("school sign"));
+  EXPECT_THAT(made->page(0).text, HasSubstr("club sign"));
+  own.words = {word("学校", "がっこう", "school")};
+  made = Worksheet::lay_out({own}, settings);
+  ASSERT_TRUE(made);
+  EXPECT_THAT(made->page(0).text, HasSubstr("がっこう"));
+  EXPECT_THAT(made->page(0).text, Not(HasSubstr("まなびや")));
+}
+
 TEST(SheetFile, SaysItsLanguageAndItsTitle) {
   SheetSettings settings;
   settings.title = "漢字";

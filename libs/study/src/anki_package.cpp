@@ -11,6 +11,7 @@
 #include "nazori/base/utf8.h"
 #include "nazori/json/json.h"
 #include "nazori/kanji/kana_sound.h"
+#include "nazori/kanji/own_characters.h"
 #include "nazori/study/exchange.h"
 
 namespace nazori::study {
@@ -59,7 +60,8 @@ constexpr const char* kQuestion =
     "<div class=meaning>{{Meanings}}</div><div class=reading>{{On}}</div><div class=reading>{{Kun}}</div>";
 constexpr const char* kAnswer =
     "{{FrontSide}}<hr id=answer><div class=kanji lang=ja>{{Kanji}}</div><div>{{Strokes}}</div>"
-    "<div class=words lang=ja>{{Words}}</div><div class=source>Strokes: KanjiVG (CC BY-SA 3.0). "
+    "<div class=words lang=ja>{{Words}}</div><div class=source>Strokes: KanjiVG (CC BY-SA 3.0), but for own "
+    "characters. "
     "Readings, meanings, words: KANJIDIC2 and EDICT (EDRDG, CC BY-SA 4.0).</div>";
 constexpr const char* kStyle =
     ".card { font-family: sans-serif; font-size: 22px; text-align: center; }\n"
@@ -204,6 +206,31 @@ std::string picture_name(char32_t character) {
   return fmt::format("nazori-{:05x}.svg", static_cast<unsigned>(character));
 }
 
+std::string shape_name(char32_t character) {
+  return fmt::format("nazori-{:05x}-shape.svg", static_cast<unsigned>(character));
+}
+
+/// Whether no font shows the character as it is: somebody made it, or its form.
+bool is_made(const kanji::Character& character) {
+  return kanji::is_own(character.code_point) || character.own_form;
+}
+
+/// The character alone, as large as a letter.
+std::string shape_svg(const kanji::Character& character) {
+  std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 109 109\" width=\"120\" height=\"120\" "
+      "fill=\"none\" stroke=\"#888\" stroke-width=\"4.4\" stroke-linecap=\"round\" "
+      "stroke-linejoin=\"round\">";
+  for (const kanji::Stroke& stroke : character.strokes) svg += "<path d=\"" + stroke.path + "\"/>";
+  return svg + "</svg>\n";
+}
+
+/// The letter as it is shown, which is the first field of the note.
+std::string sign_of(const kanji::Character& character) {
+  return is_made(character) ? "<img src=\"" + shape_name(character.code_point) + "\">"
+                            : for_html(base::encode_utf8(character.code_point));
+}
+
 /// What a kana is asked for by: "ka (katakana)"; nothing for other characters.
 std::string sound_of(char32_t kana) {
   const auto sound = kanji::kana_sound(kana);
@@ -227,12 +254,11 @@ std::string fields_of(const kanji::Character& character, std::span<const kanji::
     word_lines += fmt::format("{}{}（{}） {}", word_lines.empty() ? "" : "<br>", for_html(word.text),
                               for_html(word.reading), for_html(gloss));
   }
-  const std::string sign = base::encode_utf8(character.code_point);
   std::string meaning = meanings.empty() ? sound_of(character.code_point) : joined(meanings, ", ");
   // A card that asks nothing is one that Anki offers to delete.
   if (meaning.empty() && entry.on_readings.empty() && entry.kun_readings.empty())
     meaning = fmt::format("U+{:04X}", static_cast<unsigned>(character.code_point));
-  return fmt::format("{1}{0}{2}{0}{3}{0}{4}{0}{5}{0}<img src=\"{6}\">", kBetweenFields, for_html(sign),
+  return fmt::format("{1}{0}{2}{0}{3}{0}{4}{0}{5}{0}<img src=\"{6}\">", kBetweenFields, sign_of(character),
                      meaning, joined(entry.on_readings, "、"), joined(entry.kun_readings, "、"), word_lines,
                      picture_name(character.code_point));
 }
@@ -249,7 +275,8 @@ void insert_note(SQLite::Database& db, const kanji::Character& character, const 
   note.bind(5, character.entry.grade ? fmt::format(" grade-{} ", *character.entry.grade) : "");
   note.bind(6, fields);
   note.bind(7, sign);
-  note.bind(8, checksum(for_html(sign)));
+  // Of a picture Anki takes the name between spaces.
+  note.bind(8, checksum(is_made(character) ? " " + shape_name(character.code_point) + " " : for_html(sign)));
   note.exec();
   SQLite::Statement card(db, "INSERT INTO cards VALUES(?,?,?,0,?,-1,0,0,?,0,0,0,0,0,0,0,0,'')");
   card.bind(1, kFirstCard + static_cast<std::int64_t>(character.code_point));
@@ -291,6 +318,7 @@ base::Result<Bytes> anki_package(const kanji::KanjiDatabase& database, std::span
     archive::ZipWriter zip({}, kTimeOfFiles);
     json::Value media = json::Value::object();
     int position = 0;
+    int pictures = 0;
     SQLite::Transaction transaction(db);
     for (std::size_t i = 0; i < characters.size(); ++i) {
       if (progress &&
@@ -304,8 +332,14 @@ base::Result<Bytes> anki_package(const kanji::KanjiDatabase& database, std::span
       if (options.words > 0) words = database.words(characters[i], options.words);
       insert_note(db, *character, fields_of(*character, words), position + 1, now);
       const std::string svg = stroke_order_svg(*character);
-      zip.add(std::to_string(position), as_bytes(svg));
-      media[name] = std::to_string(position++);
+      zip.add(std::to_string(pictures), as_bytes(svg));
+      media[name] = std::to_string(pictures++);
+      if (is_made(*character)) {
+        const std::string shape = shape_svg(*character);
+        zip.add(std::to_string(pictures), as_bytes(shape));
+        media[shape_name(characters[i])] = std::to_string(pictures++);
+      }
+      ++position;
     }
     transaction.commit();
     if (database.trouble()) return tl::unexpected(*database.trouble());

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "daily_backup.h"
-#include "file_lock.h"
+#include "nazori/base/file_lock.h"
 #include "nazori/base/unfinished_file.h"
 #include "nazori/study/learner_store.h"
 #include "store_schema.h"
@@ -279,7 +279,7 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
   }
   if (learner.has_parent_path()) fs::create_directories(learner.parent_path(), error);
   bool is_locked = false;
-  const auto lock = FileLock::take(learner.string() + ".lock", is_locked);
+  const auto lock = base::FileLock::take(learner.string() + ".lock", is_locked);
   if (is_locked)
     return base::fail(Errc::in_use, "is open in another Nazori window", learner.string(),
                       "close it there first");

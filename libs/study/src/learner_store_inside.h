@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "file_lock.h"
+#include "nazori/base/file_lock.h"
 #include "nazori/study/learner_store.h"
 #include "store_schema.h"
 
@@ -48,7 +48,7 @@ class SettingsInForce {
 struct LearnerStore::Inside {
   Inside(SQLite::Database opened, std::string file_name, Clock the_clock);
 
-  FileLock lock;  // given back last
+  base::FileLock lock;  // given back last
   SQLite::Database db;
   std::string name;
   Clock clock;

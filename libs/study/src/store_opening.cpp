@@ -113,7 +113,7 @@ bool LearnerStore::in_use(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(lock_of(path), ignored)) return false;
   bool is_locked = false;
-  (void)FileLock::take(lock_of(path), is_locked);
+  (void)base::FileLock::take(lock_of(path), is_locked);
   return is_locked;
 }
 
@@ -140,7 +140,7 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
   }
   const bool writes = access == Access::write || access == Access::rebuild;
   if (!there && !writes) return in_memory(std::move(clock));
-  FileLock lock;
+  base::FileLock lock;
   if (writes) {
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
     if (error) {
@@ -148,7 +148,7 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
                         "check the permissions of the folder");
     }
     bool is_locked = false;
-    auto own = FileLock::take(lock_of(path), is_locked);
+    auto own = base::FileLock::take(lock_of(path), is_locked);
     if (is_locked) {
       return base::fail(Errc::in_use, "is open in another Nazori window", path.string(),
                         "close it there first");

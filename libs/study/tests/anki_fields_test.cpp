@@ -32,9 +32,10 @@ const kanji::KanjiDatabase& database() {
 class Package {
  public:
   explicit Package(std::u32string_view characters, const AnkiOptions& options = {},
-                   Time now = *parse_time("2026-01-01T09:00:00.250Z")) {
+                   Time now = *parse_time("2026-01-01T09:00:00.250Z"),
+                   const kanji::KanjiDatabase& from = database()) {
     const auto bytes =
-        must(anki_package(database(), std::vector(characters.begin(), characters.end()), options, now));
+        must(anki_package(from, std::vector(characters.begin(), characters.end()), options, now));
     archive* zip = archive_read_new();
     archive_read_support_format_zip(zip);
     EXPECT_EQ(archive_read_open_memory(zip, bytes.data(), bytes.size()), ARCHIVE_OK);
@@ -231,6 +232,41 @@ TEST(AnkiNotes, AnswerWithReadingsMeaningsAndWords) {
                            words[1].text + "（" + words[1].reading + "） " + words[1].glosses.front());
   EXPECT_EQ(fields[5], "<img src=\"nazori-06728.svg\">");
   EXPECT_EQ(Package(U"木", {"Nazori", 0}).fields("木")[4], "");
+}
+
+// No font has an own character, and fonts have the published form of one that somebody corrected.
+TEST(AnkiNotes, ShowWhatSomebodyMadeAsAPicture) {
+  kanji::Character sign;
+  sign.code_point = 0xF1234;
+  sign.strokes = {{"M20,30L80,30", "", {{{20, 30}, {80, 30}}, kanji::StrokeEnding::stop, {}}}};
+  sign.entry.meanings = {{"en", "school sign"}};
+  kanji::Character form = sign;
+  form.code_point = U'木';
+  form.own_form = 0xF0007;
+  form.strokes[0].path = "M20,60L80,60";
+  const auto with_own = must(kanji::KanjiDatabase::open(must(kanji::KanjiDatabase::locate()), {sign, form}));
+  const Package package(U"休木\U000F1234", {}, *parse_time("2026-01-01T09:00:00Z"), with_own);
+  EXPECT_EQ(package.rows("SELECT count(*) FROM notes"), std::vector<std::string>{"3"});
+  EXPECT_THAT(package.rows("SELECT due FROM cards ORDER BY due"), ElementsAre("1", "2", "3"));
+  EXPECT_EQ(package.fields("休")[0], "休");
+  EXPECT_EQ(package.fields("木")[0], "<img src=\"nazori-06728-shape.svg\">");
+  EXPECT_EQ(package.fields("木")[1], "tree, wood");
+  const std::string letter = base::encode_utf8(U'\U000F1234');
+  EXPECT_EQ(package.fields(letter)[0], "<img src=\"nazori-f1234-shape.svg\">");
+  EXPECT_EQ(package.fields(letter)[1], "school sign");
+  EXPECT_EQ(package.fields(letter)[5], "<img src=\"nazori-f1234.svg\">");
+  const json media = json::parse(package.files().at("media"));
+  ASSERT_EQ(media.size(), 5U);
+  std::map<std::string, std::string> pictures;
+  for (const auto& [number, name] : media.items()) pictures[name] = package.files().at(number);
+  EXPECT_EQ(pictures.size(), 5U);
+  EXPECT_NE(pictures.at("nazori-f1234-shape.svg").find("d=\"M20,30L80,30\""), std::string::npos);
+  EXPECT_NE(pictures.at("nazori-06728-shape.svg").find("d=\"M20,60L80,60\""), std::string::npos);
+  EXPECT_NE(pictures.at("nazori-06728.svg"), stroke_order_svg(*database().find(U'木')));
+  EXPECT_EQ(pictures.at("nazori-04f11.svg"), stroke_order_svg(*database().find(U'休')));
+  // SHA-1 of " nazori-f1234-shape.svg ", as Anki finds notes that are there already.
+  EXPECT_EQ(package.rows("SELECT csum FROM notes WHERE sfld = '" + letter + "'").at(0),
+            std::to_string(std::stoll("1f68910c", nullptr, 16)));
 }
 
 TEST(AnkiNotes, AskForAKanaByItsSound) {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <fstream>
 
-#include "../src/file_lock.h"
 #include "../src/store_schema.h"
 #include "learner_fixture.h"
 #include "nazori/study/backups.h"
@@ -293,28 +292,6 @@ TEST(StoreSchema, TroubleOfTheDatabaseIsNamedByWhatCanBeDone) {
   EXPECT_EQ(message(SQLITE_CORRUPT), "parse: is damaged: trouble");
   EXPECT_EQ(message(SQLITE_NOTADB), "parse: is damaged: trouble");
   EXPECT_EQ(message(SQLITE_IOERR), "io: cannot be read or written: trouble");
-}
-
-TEST(FileLock, IsHeldByOneUntilItIsGone) {
-  const TemporaryFolder folder;
-  bool is_locked = true;
-  {
-    const auto first = FileLock::take(folder / "a.lock", is_locked);
-    ASSERT_TRUE(first);
-    EXPECT_FALSE(is_locked);
-    const auto second = FileLock::take(folder / "a.lock", is_locked);
-    ASSERT_FALSE(second);
-    EXPECT_TRUE(is_locked);
-    EXPECT_TRUE(FileLock::take(folder / "b.lock", is_locked));
-    EXPECT_FALSE(is_locked);
-  }
-  EXPECT_TRUE(FileLock::take(folder / "a.lock", is_locked));
-  is_locked = true;
-  const auto nowhere = FileLock::take(folder / "none" / "a.lock", is_locked);
-  ASSERT_FALSE(nowhere);
-  EXPECT_FALSE(is_locked);
-  EXPECT_EQ(nowhere.error().code, Errc::io);
-  EXPECT_EQ(nowhere.error().where, (folder / "none").string());
 }
 
 }  // namespace

@@ -167,6 +167,13 @@ TEST_F(WorkshopDetails, ARadicalIsTypedAsANumberOrAsItsForm) {
     EXPECT_EQ(radical(), 85);
     EXPECT_EQ(shown("workshop_radical"), QStringLiteral("85 水"));
   }
+  for (const auto& [form, number] : {std::pair("亻", 9), {"氵", 85}, {"艹", 140}, {"9 亻", 9}}) {
+    type("workshop_radical", QString());
+    type("workshop_radical", QString::fromUtf8(form));
+    EXPECT_EQ(radical(), number) << form;
+  }
+  type("workshop_radical", QStringLiteral("85 亻"));
+  EXPECT_EQ(radical(), 9) << "the two differ";
   type("workshop_radical", QStringLiteral("９"));
   EXPECT_EQ(radical(), 9) << "in full width";
   type("workshop_radical", QString());
@@ -207,7 +214,7 @@ TEST_F(WorkshopDetails, PartsAndRadicalAreSavedWithTheDocument) {
   type("workshop_part_name", QStringLiteral("三"));
   type("workshop_radical", QStringLiteral("1"));
   const QString path = folder_.filePath(QStringLiteral("parts.nazori"));
-  workshop->write(path);
+  write(path);
   const auto read = author::load_character(path.toStdString());
   ASSERT_TRUE(read);
   EXPECT_EQ(read->facts.radical, 1);

@@ -70,6 +70,41 @@ TEST_F(WorkshopWindow, TheReliefIsChangedByHand) {
   EXPECT_TRUE(character().hand.is_untouched());
 }
 
+// What the device feels is the tablet of the window.
+TEST_F(WorkshopWindow, WhatIsMadeIsFeltAfterEachEdit) {
+  const auto feels = [this](std::size_t strokes) {
+    return QTest::qWaitFor(
+        [&] {
+          const auto& felt = workshop_parts->tablet().tablet();
+          return felt && felt->lines().size() == strokes &&
+                 felt->height_map() == workshop->bench().editor().map();
+        },
+        20000);
+  };
+  EXPECT_TRUE(feels(0));
+  drag({20, 40}, {90, 40});
+  EXPECT_TRUE(feels(1));
+  press(Qt::Key_4);
+  drag({20, 80}, {90, 80});
+  EXPECT_TRUE(feels(1));
+  press(Qt::Key_Z, Qt::ControlModifier);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(feels(0));
+  drag({20, 40}, {90, 40});
+  EXPECT_TRUE(feels(1));
+  press(Qt::Key_3);
+  press(Qt::Key_N);
+  press(Qt::Key_R);
+  EXPECT_TRUE(QTest::qWaitFor([] {
+    const auto& paths = workshop_parts->tablet().tablet()->paths();
+    return paths.size() == 1 && paths[0].points.front().x > paths[0].points.back().x;
+  })) << "the direction is felt, too";
+  press(Qt::Key_1, Qt::AltModifier);
+  const auto other = workshop_parts->tablet().tablet();
+  QTest::qWait(50);
+  EXPECT_EQ(workshop_parts->tablet().tablet(), other) << "the other page has its own tablet";
+}
+
 TEST_F(WorkshopWindow, ACopyOfTheCharacterShownKeepsItsLicence) {
   press(Qt::Key_C);
   EXPECT_TRUE(QTest::qWaitFor([this] { return !character().strokes.empty(); }, 20000));
@@ -86,19 +121,20 @@ TEST_F(WorkshopWindow, ADocumentIsSavedAndOpensAgainWithTheSameBytes) {
   emit name->editingFinished();
   EXPECT_EQ(character().facts.name, "our sign");
   const QString path = folder_.filePath(QStringLiteral("sign.nazori"));
-  workshop->write(path);
+  write(path);
   EXPECT_EQ(feedback(), QStringLiteral("Saved sign.nazori."));
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("sign.nazori – Nazori"));
   press(Qt::Key_N, Qt::ControlModifier);
   EXPECT_TRUE(character().strokes.empty());
   press(Qt::Key_1, Qt::AltModifier);
   window_->open_files({path});
+  finish_files();
   EXPECT_TRUE(canvas()->isVisible());
   EXPECT_EQ(feedback(), QStringLiteral("Opened sign.nazori."));
   EXPECT_EQ(character().facts.name, "our sign");
   ASSERT_EQ(character().strokes.size(), 1U);
   const QString again = folder_.filePath(QStringLiteral("again.nazori"));
-  workshop->write(again);
+  write(again);
   QFile first(path), second(again);
   ASSERT_TRUE(first.open(QIODevice::ReadOnly));
   ASSERT_TRUE(second.open(QIODevice::ReadOnly));
@@ -110,12 +146,12 @@ TEST_F(WorkshopWindow, ADocumentIsSavedAndOpensAgainWithTheSameBytes) {
 TEST_F(WorkshopWindow, CopiesAreSavedInOtherFormats) {
   drag({20, 40}, {90, 40});
   for (const char* name : {"a.svg", "a.str", "a.raw", "a.png"}) {
-    workshop->write(folder_.filePath(QString::fromLatin1(name)));
+    write(folder_.filePath(QString::fromLatin1(name)));
     EXPECT_EQ(feedback(), QStringLiteral("Saved a copy as %1.").arg(QString::fromLatin1(name)));
     EXPECT_TRUE(QFile::exists(folder_.filePath(QString::fromLatin1(name))));
   }
   EXPECT_FALSE(workshop->bench().editor().state().is_saved) << "a copy is not the document";
-  workshop->write(folder_.filePath(QStringLiteral("a.txt")));
+  write(folder_.filePath(QStringLiteral("a.txt")));
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Could not save a.txt: "))) << feedback().toStdString();
 }
 

@@ -16,9 +16,11 @@ namespace nazori::ui {
 
 /// The page of the window under test.
 inline WorkshopPage* workshop = nullptr;
+inline WindowParts* workshop_parts = nullptr;
 inline std::unique_ptr<Page> make_workshop(WindowParts& parts) {
   auto page = std::make_unique<WorkshopPage>(parts);
   workshop = page.get();
+  workshop_parts = &parts;
   return page;
 }
 
@@ -35,6 +37,7 @@ class WorkshopWindow : public WindowTest {
   void TearDown() override {
     window_.reset();
     workshop = nullptr;
+    workshop_parts = nullptr;
   }
 
   CharacterCanvas* canvas() { return find<CharacterCanvas>("character_canvas"); }
@@ -60,15 +63,35 @@ class WorkshopWindow : public WindowTest {
   QString description() {
     return QAccessible::queryAccessibleInterface(canvas())->text(QAccessible::Description);
   }
-  /// Presses a button of the question about unsaved work.
+  /// Waits until every file is read or written.
+  static void finish_files() {
+    ASSERT_TRUE(QTest::qWaitFor([] { return !workshop->is_busy_with_files(); }, 20000));
+  }
+  void press_and_finish(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    press(key, modifiers);
+    finish_files();
+  }
+  void write(const QString& path) {
+    workshop->write(path);
+    finish_files();
+  }
+  void open(const QString& path) {
+    workshop->open_files({path});
+    finish_files();
+  }
+  /// Presses a button of the next question, as soon as it is asked.
   void answer_with(const QString& text) {
-    QTimer::singleShot(0, this->window_.get(), [text] {
+    auto* again = new QTimer(this->window_.get());
+    QObject::connect(again, &QTimer::timeout, again, [text, again] {
       auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      ASSERT_NE(box, nullptr);
+      if (box == nullptr) return;
+      again->deleteLater();
+      again->stop();
       for (auto* button : box->buttons())
         if (button->text() == text) return button->click();
-      FAIL() << "no button " << text.toStdString();
+      ADD_FAILURE() << "no button " << text.toStdString();
     });
+    again->start(0);
   }
 
   int ms_ = 1000;

@@ -4058,6 +4058,10 @@ Columns and rows:</source>
         <source>Read %1, as in %2 (%3)</source>
         <translation>読みは%1。例：%2（%3）</translation>
     </message>
+    <message>
+        <source>your own form instead of the published one</source>
+        <translation>標準の字形の代わりに自作の字形を使用</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::InkGallery</name>
@@ -8767,6 +8771,14 @@ Columns and rows:</source>
         <source>Remove the chosen part; strokes stay</source>
         <translation>選んだパーツを外します。画は残ります</translation>
     </message>
+    <message>
+        <source>&amp;Use instead of the published one</source>
+        <translation>標準の字形の代わりに使う(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Use this form instead of the published character of its name</source>
+        <translation>名前と同じ文字の標準の字形の代わりに、この字形を使います</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::WorkshopPage</name>
@@ -9036,6 +9048,46 @@ Columns and rows:</source>
         <source>The relief is the plot of %1.</source>
         <translation>%1 のグラフを彫りました。</translation>
     </message>
+    <message>
+        <source>Use it instead</source>
+        <translation>代わりに使う</translation>
+    </message>
+    <message>
+        <source>Keep it beside</source>
+        <translation>別の文字として登録</translation>
+    </message>
+    <message>
+        <source>%1 is a published character. Use your form instead of the published one? Lists, study and worksheets then have your strokes, and the study history goes on. Taking it out brings the published form back.</source>
+        <translation>%1 には標準の字形があります。その代わりに、作った字形を使いますか。一覧・学習・プリントが作った字形になり、学習履歴はそのまま続きます。自作の文字から外すと標準の字形に戻ります。</translation>
+    </message>
+    <message>
+        <source>Only a form of a published character can be used instead of it: give it that name. D: name.</source>
+        <translation>代わりに使えるのは、収録されている文字の字形だけです。名前をその文字にしてください。Dキーで名前を入力できます。</translation>
+    </message>
+    <message>
+        <source>Once kept (A), it stands beside the published %1.</source>
+        <translation>Aキーで登録し直すと、標準の %1 とは別の文字になります。</translation>
+    </message>
+    <message>
+        <source>Once kept (A), it is used instead of the published %1.</source>
+        <translation>Aキーで登録すると、標準の %1 の代わりに使われます。</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>保存しています…</translation>
+    </message>
+    <message>
+        <source>Your form is used instead of the published %1 now: in lists, search, study and worksheets.</source>
+        <translation>一覧・検索・学習・プリントで、標準の %1 の代わりに作った字形を使います。</translation>
+    </message>
+    <message>
+        <source>The published %1 is used again. Your form is still here; A keeps it again.</source>
+        <translation>標準の %1 に戻りました。作った字形はここに残っています。Aキーでもう一度登録できます。</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 を開いています…</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::WorkshopPanel</name>
@@ -9154,16 +9206,16 @@ Columns and rows:</source>
         <translation>部首</translation>
     </message>
     <message>
-        <source>1 to 214</source>
-        <translation>1〜214</translation>
-    </message>
-    <message>
         <source>Parts</source>
         <translation>パーツ</translation>
     </message>
     <message>
         <source>“%1” is not a radical. Type its number, 1 to 214, or its form.</source>
         <translation>「%1」は部首ではありません。番号（1〜214）か形を入力してください。</translation>
+    </message>
+    <message>
+        <source>1 to 214, or a form</source>
+        <translation>1〜214、または形</translation>
     </message>
 </context>
 <context>
@@ -9491,6 +9543,10 @@ Columns and rows:</source>
     <message>
         <source>placed by the program</source>
         <translation>自動の位置</translation>
+    </message>
+    <message>
+        <source>Used instead of the published %1.</source>
+        <translation>標準の %1 の代わりに使われます。</translation>
     </message>
 </context>
 <context>

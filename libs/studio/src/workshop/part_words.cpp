@@ -43,7 +43,18 @@ QString radical_words(std::optional<int> radical) {
   return radical ? QStringLiteral("%1 %2").arg(*radical).arg(radical_form(*radical)) : QString();
 }
 
-bool read_radical(const QString& typed, std::optional<int>& radical) {
+namespace {
+
+/// The radical of a form, 0 where there is none.
+int radical_of(const QString& form, const RadicalOfForm& of_form) {
+  for (int number = 1; number <= kLastRadical; ++number)
+    if (radical_form(number) == form) return number;
+  return of_form ? of_form(form).value_or(0) : 0;
+}
+
+}  // namespace
+
+bool read_radical(const QString& typed, std::optional<int>& radical, const RadicalOfForm& of_form) {
   const QString text = typed.normalized(QString::NormalizationForm_KC).simplified();
   if (text.isEmpty()) {
     radical.reset();
@@ -53,10 +64,9 @@ bool read_radical(const QString& typed, std::optional<int>& radical) {
   const auto match = shape.match(text);
   const QString form = match.captured(2);
   int number = match.captured(1).toInt();
-  if (match.captured(1).isEmpty() && !form.isEmpty())
-    for (number = kLastRadical; number > 0 && radical_form(number) != form;) --number;
-  if (number < 1 || number > kLastRadical) return false;
-  if (!form.isEmpty() && radical_form(number) != form) return false;
+  const int named = form.isEmpty() ? number : radical_of(form, of_form);
+  if (match.captured(1).isEmpty()) number = named;
+  if (number < 1 || number > kLastRadical || named != number) return false;
   radical = number;
   return true;
 }

@@ -82,6 +82,8 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
                       tr("Take away everything that was changed by hand; strokes stay"), "Ctrl+Del");
   keep = make("workshop_keep", tr("&Keep among my characters"),
               tr("Lists, search, study and worksheets have it then like any other"), "A");
+  instead = make("workshop_instead", tr("&Use instead of the published one"),
+                 tr("Use this form instead of the published character of its name"), "Shift+A", true);
   remove_kept = make("workshop_remove_kept", tr("Ta&ke out of my characters"),
                      tr("Lists, search, study and worksheets no longer have it; what you learned stays"),
                      "Ctrl+Shift+Del");
@@ -116,8 +118,9 @@ WorkshopActions::WorkshopActions(QWidget* window) : ActionSet(window) {
              nullptr, earlier, later, reverse, ending, nullptr, insert, split, join, remove});
   for (auto* action : QList<QAction*>{nullptr, curve, number, place_number}) add_to_group(1, action);
   add_group(tr("&Character"),
-            {start_empty, copy, from_picture, from_font, from_plot, nullptr, clear_relief, nullptr, details,
-             add_part, remove_part, check, describe, nullptr, carve, save_copy, nullptr, keep, remove_kept});
+            {start_empty, copy,      from_picture, from_font,   from_plot, nullptr,    clear_relief,
+             nullptr,     details,   add_part,     remove_part, check,     describe,   nullptr,
+             carve,       save_copy, nullptr,      keep,        instead,   remove_kept});
   add_group(tr("&Look"), {zoom_in, zoom_out, zoom_whole, nullptr, strokes, panel});
 }
 

@@ -97,6 +97,7 @@ void WorkshopPage::connect_actions() {
   on(actions_->from_plot, [this] { ask_plot(); });
   on(actions_->clear_relief, [this] { bench_->clear_relief(); });
   on(actions_->keep, [this] { keep(); });
+  on(actions_->instead, [this] { toggle_instead(); });
   on(actions_->remove_kept, [this] { remove_kept(); });
   on(actions_->details, [this] {
     if (!actions_->panel->isChecked()) actions_->panel->trigger();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Characters as files, pictures and fonts in which strokes are found, and work that was interrupted.
 #include <QDir>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QTimer>
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "nazori/author/character_file.h"
@@ -41,14 +44,30 @@ std::filesystem::path WorkshopPage::unnamed_journal() const {
          "workshop.nazori.journal";
 }
 
+void WorkshopPage::finish_files() {
+  QEventLoop loop;
+  while (files_.is_busy())
+    loop.processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
+}
+
+void WorkshopPage::say_if_slow(const QString& sentence) {
+  constexpr std::chrono::milliseconds kSlow{300};
+  QTimer::singleShot(kSlow, this, [this, sentence] {
+    if (files_.is_busy()) parts().announce(Feedback::hint, sentence);
+  });
+}
+
 void WorkshopPage::keep_journal() {
   journal_failed_ = false;
   const auto path = file_.isEmpty() ? unnamed_journal() : author::journal_path(file_.toStdString());
-  if (const auto begun = bench_->autosave_to(path); !begun) {
-    journal_failed_ = true;
-    parts().announce(Feedback::advice,
-                     tr("Your changes cannot be kept for an emergency: %1.").arg(reason(begun.error())));
-  }
+  files_.begin_journal(
+      bench_->begin_save(), path, [this](author::SavePoint point, const base::Result<void>& begun) {
+        bench_->end_save(std::move(point));
+        if (begun) return;
+        journal_failed_ = true;
+        parts().announce(Feedback::advice,
+                         tr("Your changes cannot be kept for an emergency: %1.").arg(reason(begun.error())));
+      });
 }
 
 void WorkshopPage::recover() {
@@ -73,6 +92,7 @@ void WorkshopPage::begin(author::OwnCharacter character, const QString& sentence
   auto editor = author::CharacterEditor::create(std::move(character));
   if (!editor)
     return parts().announce(Feedback::wrong, tr("This is not possible: %1.").arg(reason(editor.error())));
+  finish_files();
   bench_->close_journal();
   file_.clear();
   bench_->take(*std::move(editor));
@@ -85,6 +105,7 @@ void WorkshopPage::begin(author::OwnCharacter character, const QString& sentence
 bool WorkshopPage::may_replace() { return may_close(false); }
 
 bool WorkshopPage::may_close(bool /*quits*/) {
+  finish_files();
   if (bench_->editor().state().is_saved) {
     bench_->close_journal();
     return true;
@@ -93,6 +114,7 @@ bool WorkshopPage::may_close(bool /*quits*/) {
                                      tr("The character in the workshop is not saved."), &parts().window());
   if (choice == Unsaved::save) {
     ask_and_save();
+    finish_files();
     return bench_->editor().state().is_saved;
   }
   if (choice == Unsaved::stay) return false;
@@ -112,36 +134,31 @@ void WorkshopPage::open_files(const QStringList& paths) {
 }
 
 void WorkshopPage::open(const QString& path) {
-  const auto failed = [&](const base::Error& error) {
-    parts().announce(Feedback::wrong, tr("Could not open %1: %2.").arg(name_of(path), reason(error)));
-  };
-  const std::filesystem::path file = path.toStdString();
-  const auto format = author::format_of(file);
-  if (format == author::CharacterFormat::document) {
-    std::optional<author::Recovery> recovery;
-    auto editor = author::CharacterEditor::open(file, recovery);
-    if (!editor) return failed(editor.error());
-    file_ = path;
-    bench_->take(*std::move(editor));
-    clear_check();
-    if (!recovery) keep_journal();
-    parts().announce(Feedback::good, recovery && recovery->edits > 0
-                                         ? tr("Opened %1, with %n changes that were not saved.", nullptr,
-                                              static_cast<int>(recovery->edits))
-                                               .arg(title())
-                                         : tr("Opened %1.").arg(title()));
-    return;
-  }
-  if (!format) {
-    return failed({base::Errc::bad_argument, "is not a file of a character", name_of(path).toStdString(),
-                   ".nazori, .svg, .str, .raw and .png are"});
-  }
-  const auto bytes = base::read_file(file, author::kLargestFile);
-  if (!bytes) return failed(bytes.error());
-  auto character = author::import_character(*bytes, *format);
-  if (!character) return failed(character.error());
-  if (character->facts.name.empty()) character->facts.name = QFileInfo(path).completeBaseName().toStdString();
-  begin(*std::move(character), tr("Opened %1.").arg(name_of(path)));
+  finish_files();
+  say_if_slow(tr("Opening %1…").arg(name_of(path)));
+  files_.open(path.toStdString(), [this, path, edits = edits_](base::Result<author::OpenedCharacter> opened) {
+    if (!opened)
+      return parts().announce(Feedback::wrong,
+                              tr("Could not open %1: %2.").arg(name_of(path), reason(opened.error())));
+    // Nothing that was drawn meanwhile goes without a question.
+    if (edits != edits_ && !may_replace()) return;
+    take_opened(path, *std::move(opened));
+  });
+}
+
+void WorkshopPage::take_opened(const QString& path, author::OpenedCharacter opened) {
+  bench_->close_journal();
+  file_ = opened.is_document ? path : QString();
+  bench_->take(std::move(opened.editor));
+  clear_check();
+  if (!opened.recovery) keep_journal();
+  emit parts().focus_tablet();
+  const QString name = opened.is_document ? title() : name_of(path);
+  parts().announce(Feedback::good, opened.recovery && opened.recovery->edits > 0
+                                       ? tr("Opened %1, with %n changes that were not saved.", nullptr,
+                                            static_cast<int>(opened.recovery->edits))
+                                             .arg(name)
+                                       : tr("Opened %1.").arg(name));
 }
 
 void WorkshopPage::ask_and_open() {
@@ -193,35 +210,36 @@ void WorkshopPage::ask_and_write(const QString& suffix) {
   write(path);
 }
 
-bool WorkshopPage::write(const QString& path) {
-  const auto failed = [&](const base::Error& error) {
-    parts().announce(Feedback::wrong, tr("Could not save %1: %2.").arg(name_of(path), reason(error)));
-    return false;
-  };
+void WorkshopPage::say_not_saved(const QString& path, const base::Error& error) {
+  parts().announce(Feedback::wrong, tr("Could not save %1: %2.").arg(name_of(path), reason(error)));
+}
+
+void WorkshopPage::write(const QString& path) {
   const std::filesystem::path file = path.toStdString();
   const auto format = author::format_of(file);
   if (!format) {
-    return failed({base::Errc::bad_argument, "is not a file of a character", name_of(path).toStdString(),
-                   ".nazori, .svg, .str, .raw and .png are"});
+    return say_not_saved(path, {base::Errc::bad_argument, "is not a file of a character",
+                                name_of(path).toStdString(), ".nazori, .svg, .str, .raw and .png are"});
   }
+  finish_files();
+  say_if_slow(tr("Saving…"));
   if (*format == author::CharacterFormat::document) {
-    if (const auto saved = bench_->save(file); !saved) return failed(saved.error());
-    if (file_.isEmpty()) {
-      std::error_code ignored;
-      std::filesystem::remove(unnamed_journal(), ignored);
-    }
-    file_ = path;
-    if (kept_as()) emit parts().own_characters_changed();
-    show_bench();
-    parts().announce(Feedback::good, tr("Saved %1.").arg(title()));
-    return true;
+    return files_.save(bench_->begin_save(), file,
+                       [this, path](author::SavePoint point, const base::Result<void>& saved) {
+                         const bool is_written = point.is_written;
+                         if (is_written) file_ = path;
+                         bench_->end_save(std::move(point));
+                         if (!is_written) return say_not_saved(path, saved.error());
+                         if (kept_as()) emit parts().own_characters_changed();
+                         parts().announce(Feedback::good, tr("Saved %1.").arg(title()));
+                       });
   }
   const int side = *format == author::CharacterFormat::strokes ? kClassicSide : bench_->editor().map().size();
-  const auto bytes = author::export_character(bench_->character(), *format, side);
-  if (!bytes) return failed(bytes.error());
-  if (const auto written = base::write_file(file, *bytes); !written) return failed(written.error());
-  parts().announce(Feedback::good, tr("Saved a copy as %1.").arg(name_of(path)));
-  return true;
+  files_.write_copy(bench_->character(), file, *format, side,
+                    [this, path](const base::Result<void>& written) {
+                      if (!written) return say_not_saved(path, written.error());
+                      parts().announce(Feedback::good, tr("Saved a copy as %1.").arg(name_of(path)));
+                    });
 }
 
 void WorkshopPage::connect_tracing() {
@@ -310,8 +328,8 @@ void WorkshopPage::ask_copy() {
   const auto& sheet = parts().practice().sheet();
   if (!may_replace()) return;
   asked_ = sheet ? sheet->character.code_point : parts().preferences().kanji;
-  // An own character is changed itself.
-  if (open_kept(asked_)) return void(asked_ = 0);
+  // An own character, or a form that is used instead of a published one, is changed itself.
+  if (open_kept(sheet ? sheet->character.own_form.value_or(asked_) : asked_)) return void(asked_ = 0);
   waiting_.reset();
   parts().library().request_characters({asked_});
 }

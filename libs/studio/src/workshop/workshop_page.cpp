@@ -39,13 +39,20 @@ WorkshopPage::WorkshopPage(WindowParts& parts)
       bench_(std::make_unique<author::Workbench>(empty_editor())),
       canvas_(new CharacterCanvas(*bench_, widget_)),
       panel_(new WorkshopPanel(*actions_, widget_)),
-      tracer_(parts.inbox()) {
+      tracer_(parts.inbox()),
+      files_(parts.inbox()),
+      felt_(parts.inbox(),
+            [this](const practice::Tablet& tablet) { this->parts().tablet().set_tablet(tablet); }) {
   auto* row = new QHBoxLayout(widget_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   row->addWidget(canvas_, 1);
   row->addWidget(panel_);
   widget_->setFocusProxy(canvas_);
+  panel_->set_radicals([this](const QString& form) -> std::optional<int> {
+    const auto* database = this->parts().learner().database();
+    return database != nullptr ? database->radical_of_form(form.toStdString()) : std::nullopt;
+  });
   QSettings settings(parts.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   load(settings);
@@ -121,19 +128,35 @@ void WorkshopPage::enter() {
   parts().announce(Feedback::hint,
                    tr("Draw strokes with mouse or pen. 1 to 8: tools. K: check. S: describe what is there."));
   if (first) recover();
+  // A force-feedback device feels what is made, from here on after each edit.
+  is_shown_ = true;
+  begin_feeling();
 }
 
-void WorkshopPage::leave() { bench_->lose_pen(); }
+void WorkshopPage::leave() {
+  bench_->lose_pen();
+  is_shown_ = false;
+  felt_.end();
+}
+
+void WorkshopPage::begin_feeling() {
+  if (is_shown_) felt_.begin(bench_->editor().map(), bench_->character().strokes);
+}
 
 void WorkshopPage::refresh_appearance() { canvas_->refresh_appearance(); }
 
 void WorkshopPage::connect_edits() {
-  subscribe(bench_->relief_changed, this,
-            [this](const carving::GridBox& box) { canvas_->refresh_relief(box); });
+  subscribe(bench_->relief_changed, this, [this](const carving::GridBox& box) {
+    canvas_->refresh_relief(box);
+    if (is_shown_) felt_.update(bench_->editor().map(), box, bench_->character().strokes);
+  });
   subscribe(bench_->changed, this, [this] { show_bench(); });
   // While a line is drawn nothing but the line is painted again.
   subscribe(bench_->pen_moved, this, [this] { canvas_->update(); });
   subscribe(bench_->edited, this, [this](author::EditKind kind, author::EditWay way) {
+    ++edits_;
+    // Direction and order of strokes change without a sample of the relief.
+    if (is_shown_) felt_.update(bench_->editor().map(), {}, bench_->character().strokes);
     clear_check();
     parts().respond(Feedback::hint, edit_words(kind, way));
     if (const auto error = bench_->editor().journal_error(); error && !std::exchange(journal_failed_, true))
@@ -149,6 +172,7 @@ void WorkshopPage::show_bench() {
   const auto state = bench_->editor().state();
   actions_->undo->setEnabled(state.undoes != author::EditKind::none);
   actions_->redo->setEnabled(state.redoes != author::EditKind::none);
+  actions_->instead->setChecked(bench_->character().facts.instead_of.has_value());
   actions_->clear_relief->setEnabled(!bench_->character().hand.is_untouched());
   canvas_->refresh();
   panel_->show_character(*bench_);

@@ -115,7 +115,7 @@ WorkshopPanel::WorkshopPanel(const WorkshopActions& actions, QWidget* parent)
   name_ = field("workshop_name", tr("Name"), tr("A character, or what you call it"));
   readings_ = field("workshop_readings", tr("Readings"), tr("With commas between them"));
   meanings_ = field("workshop_meanings", tr("Meanings"), tr("With commas between them"));
-  radical_ = field("workshop_radical", tr("Radical"), tr("1 to 214"));
+  radical_ = field("workshop_radical", tr("Radical"), tr("1 to 214, or a form"));
   author_ = field("workshop_author", tr("Author"), {});
   licence_ = field("workshop_licence", tr("Licence"), QStringLiteral("CC-BY-4.0"));
   source_ = text_label("workshop_source", content_, "muted");
@@ -222,7 +222,7 @@ void WorkshopPanel::send_facts() {
   facts.name = name_->text().simplified().toStdString();
   facts.readings = split_texts(readings_->text());
   facts.meanings = split_texts(meanings_->text());
-  if (!read_radical(radical_->text(), facts.radical)) {
+  if (!read_radical(radical_->text(), facts.radical, radical_of_form_)) {
     emit text_refused(
         tr("“%1” is not a radical. Type its number, 1 to 214, or its form.").arg(radical_->text()));
   }

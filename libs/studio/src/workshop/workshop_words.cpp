@@ -180,6 +180,9 @@ QString character_words(const author::OwnCharacter& character) {
                : Words::tr("%n strokes.", nullptr, static_cast<int>(character.strokes.size()));
   if (!character.hand.is_untouched())
     words += QLatin1Char(' ') + Words::tr("The relief was changed by hand.");
+  if (character.facts.instead_of)
+    words += QLatin1Char(' ') +
+             Words::tr("Used instead of the published %1.").arg(to_text(*character.facts.instead_of));
   return words;
 }
 

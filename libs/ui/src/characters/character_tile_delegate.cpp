@@ -66,11 +66,11 @@ void CharacterTileDelegate::paint(QPainter* painter, const QStyleOptionViewItem&
                     : hovered  ? blend(c.surface, c.line, 0.35)
                                : c.surface);
   painter->drawRoundedRect(tile, 6, 6);
-  QFont font = textbook_font(12);
+  const QString text = index.data(Qt::DisplayRole).toString();
+  QFont font = character_font(text, 12);
   font.setPixelSize(static_cast<int>(tile.height() * (why.isEmpty() ? 0.62 : 0.56)));
   painter->setFont(font);
   painter->setPen(is_current ? c.indigo : c.ink);
-  const QString text = index.data(Qt::DisplayRole).toString();
   const QVariant strength = index.data(CharacterListModel::kStrengthRole);
   QRectF head = tile;
   if (!why.isEmpty()) {

@@ -346,8 +346,12 @@ void Characters::connect_work() {
   connect(&parts(), &WindowParts::own_characters_changed, this, [this] {
     // The tablet shows the character as it is now.
     const auto& sheet = practice_.sheet();
-    if (sheet && kanji::is_own(sheet->character.code_point))
-      practice_.show(sheet->character.code_point, false);
+    if (!sheet) return;
+    const char32_t shown = sheet->character.code_point;
+    const auto* database = parts().learner().database();
+    const auto now = database != nullptr ? database->find(shown) : std::nullopt;
+    if (kanji::is_own(shown) || sheet->character.own_form || (now && now->own_form))
+      practice_.show(shown, false);
   });
   connect(files_, &FileExchange::announced, &parts(), &WindowParts::announce);
   connect(files_, &FileExchange::folder_changed, this, [this](const QString& folder) {

@@ -35,7 +35,7 @@ void GlyphView::paintEvent(QPaintEvent* /*event*/) {
   paint_paper(p, box, 10, 6, QPen(c.line, 1));
   if (!sheet_) return;
   const auto& character = sheet_->character;
-  if (textbook_font_has(character.code_point)) {
+  if (!character.own_form && textbook_font_has(character.code_point)) {
     QFont font = textbook_font(12);
     font.setPixelSize(static_cast<int>(side * 0.82));
     p.setFont(font);

@@ -8,7 +8,8 @@
 
 namespace nazori::ui {
 
-/// One character, large, in the textbook face; drawn from its strokes where the font lacks it.
+/// One character, large, in the textbook face; drawn from its strokes where the font lacks it, or somebody
+/// made its form.
 class GlyphView final : public QWidget {
   Q_OBJECT
  public:

@@ -197,6 +197,7 @@ void InformationPanel::fill_facts() {
   if (!entry.stroke_counts.empty() && entry.stroke_counts.front() != drawn)
     strokes = tr("%1 here, %2 in the dictionary").arg(strokes).arg(entry.stroke_counts.front());
   facts.append(strokes);
+  if (character.own_form) facts.append(tr("your own form instead of the published one"));
   if (entry.grade) {
     if (*entry.grade <= 6)
       facts.append(tr("grade %1").arg(*entry.grade));

@@ -78,11 +78,12 @@ void StrengthDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
   painter->setBrush(look.fill);
   painter->drawRoundedRect(tile, 5, 5);
   painter->setPen(look.text);
-  QFont font = textbook_font(12);
+  const QString text = index.data(Qt::DisplayRole).toString();
+  QFont font = character_font(text, 12);
   font.setPixelSize(std::max(8, static_cast<int>(tile.height() * 0.60)));
   painter->setFont(font);
   painter->drawText(tile.adjusted(0, 0, -tile.width() * 0.12, tile.height() * 0.08),
-                    Qt::AlignCenter | Qt::TextDontClip, index.data(Qt::DisplayRole).toString());
+                    Qt::AlignCenter | Qt::TextDontClip, text);
   if (!look.sign.isEmpty()) {
     QFont small = option.font;
     small.setPixelSize(std::max(7, static_cast<int>(tile.height() * 0.27)));

@@ -113,8 +113,8 @@ CharacterTile::CharacterTile(char32_t character, const QString& caption, double 
 QFont CharacterTile::large_font() const {
   // As large beside larger text as beside the smallest.
   constexpr double kSmallestText_pt = 12;
-  return textbook_font(kTile_pt * share_ *
-                       std::max(1.0, QFontInfo(font()).pointSizeF() / kSmallestText_pt * 0.75));
+  return character_font(
+      text(), kTile_pt * share_ * std::max(1.0, QFontInfo(font()).pointSizeF() / kSmallestText_pt * 0.75));
 }
 
 QSize CharacterTile::sizeHint() const {

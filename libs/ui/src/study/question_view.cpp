@@ -246,7 +246,7 @@ void QuestionView::fit() {
   };
   const bool is_low = room_ == QuestionRoom::line;
   setFixedHeight(static_cast<int>(lines() * line));
-  const QFont answer = textbook_font(is_low ? text_pt : 2 * text_pt);
+  const QFont answer = character_font(character_->text(), is_low ? text_pt : 2 * text_pt);
   if (character_->font() != answer) character_->setFont(answer);
   for (QWidget* one : std::initializer_list<QWidget*>{verdict_line_, show_})
     if (one->font().pointSizeF() != text_pt) one->setFont(own);

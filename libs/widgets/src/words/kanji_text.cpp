@@ -5,11 +5,23 @@
 #include <QRawFont>
 #include <QStringList>
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace nazori::ui {
 namespace {
 
 constexpr auto kFamily = "Klee One";
+
+struct OwnForms {
+  QString family;
+  std::set<char32_t> characters;
+};
+
+OwnForms& own_forms() {
+  static OwnForms forms;
+  return forms;
+}
 
 }  // namespace
 
@@ -42,6 +54,18 @@ QFont textbook_font(double point_size, int weight) {
   QFont font(QString::fromLatin1(kFamily));
   font.setPointSizeF(std::max(point_size, 1.0));
   font.setWeight(static_cast<QFont::Weight>(weight));
+  return font;
+}
+
+void set_own_forms(const QString& family, const std::set<char32_t>& characters) {
+  own_forms() = {family, characters};
+}
+
+QFont character_font(const QString& text, double point_size, int weight) {
+  QFont font = textbook_font(point_size, weight);
+  const std::u32string letters = text.toStdU32String();
+  if (letters.size() == 1 && own_forms().characters.contains(letters.front()))
+    font.setFamily(own_forms().family);
   return font;
 }
 

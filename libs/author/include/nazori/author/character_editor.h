@@ -68,6 +68,17 @@ struct Change;
 /// The journal beside a document; see src/journal.h.
 class Journal;
 
+/// A state of a document on its way to the disk. Thread rules: one thread at a time.
+struct SavePoint {
+  OwnCharacter character;
+  int map_size = 0;                       ///< samples per side
+  std::uint64_t number = 0;               ///< of the call of begin_save(); no two are alike
+  bool has_journal = false;               ///< one is written for the document
+  bool is_of_file = false;                ///< a file has this state
+  bool is_written = false;                ///< the document was written
+  std::shared_ptr<Journal> journal = {};  ///< that was begun; null: none
+};
+
 /// Makes and changes a character: every change can be undone without limit, is carved at once in the box that
 /// it touches, and is written to a journal, so that a program that is killed loses at most the last one.
 ///
@@ -155,11 +166,25 @@ class CharacterEditor {
   [[nodiscard]] std::optional<base::Error> journal_error() const;
   /// Writes the document; the journal, if there is one, then belongs to this path and starts again.
   [[nodiscard]] base::Result<void> save(const std::filesystem::path& path);
+
+  /// The same for another thread: takes the present state, which write_document() or write_journal() writes
+  /// there while edits go on here, and end_save() brings the result back. Of several only the newest counts.
+  [[nodiscard]] SavePoint begin_save();
+  /// Writes the document and, if there was a journal, begins the one beside it. Thread: any.
+  [[nodiscard]] static base::Result<void> write_document(SavePoint& point, const std::filesystem::path& path);
+  /// Begins a journal alone, as autosave_to(). Thread: any.
+  [[nodiscard]] static base::Result<void> write_journal(SavePoint& point,
+                                                        const std::filesystem::path& journal);
+  /// The document counts as saved, if it was written, and what was edited meanwhile is in the journal that
+  /// was begun. Nothing happens where the point is not of this document or not its newest.
+  void end_save(SavePoint point);
   /// Removes the journal: the document was saved or the learner gave up the changes.
   void close_journal();
 
  private:
+  struct Saving;
   CharacterEditor();
+  void note(std::uint8_t kind, const std::vector<std::uint8_t>& record, bool flush);
   friend class JournalReplay;
   Touched apply(Change change, bool goes_on = false);
   carving::GridBox swap(Change& change);
@@ -169,7 +194,8 @@ class CharacterEditor {
   std::vector<Change> past_;
   std::vector<Change> future_;
   std::optional<std::size_t> saved_at_ = 0;  // length of past_ in the state that a file has
-  std::unique_ptr<Journal> journal_;
+  std::shared_ptr<Journal> journal_;
+  std::unique_ptr<Saving> saving_;  // null: nothing is being written
 };
 
 /// The journal of a document: its path with ".journal" at the end.

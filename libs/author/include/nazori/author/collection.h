@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "nazori/author/own_character.h"
+#include "nazori/base/file_lock.h"
 #include "nazori/base/result.h"
 #include "nazori/kanji/character.h"
 #include "nazori/kanji/kanji_database.h"
@@ -24,6 +26,15 @@ struct KeptCharacter {
   char32_t code_point = 0;  ///< kanji::is_own()
   std::filesystem::path file;
   OwnCharacter character;
+  /// The published character in whose place it is used. None where it stands beside all others, and where one
+  /// that comes before it is used in that place already.
+  std::optional<char32_t> instead_of;
+};
+
+/// Whether a new character may have the name of one that is kept.
+enum class SameName : std::uint8_t {
+  refuse,  ///< it is not kept, and the caller can ask
+  beside,  ///< both are kept
 };
 
 /// All that could be read of a collection, and what could not.
@@ -35,8 +46,10 @@ struct CollectionContent {
 /// The own characters that are shown, searched, studied and printed like any other: a folder with one .nazori
 /// file for each, named by its code point ("U+F1A2B.nazori"). A character keeps its code point, by which
 /// study remembers it, for as long as it is kept, also when it is changed. The code point follows from the
-/// name, so that another computer most often gives a character of this name the same one. Thread rules:
-/// any thread; two programs at once see each other's changes. Not for the servo thread.
+/// name, so that another computer most often gives a character of this name the same one. Of the characters
+/// that are used in the place of the same published one, only one is: what is kept last. Thread rules: any
+/// thread, and any number of programs at once: what changes the folder waits for others that do. Not for the
+/// servo thread.
 class Collection {
  public:
   /// NAZORI_CHARACTERS, else characters/ in base::user_data_folder(); empty where there is neither, or where
@@ -54,20 +67,18 @@ class Collection {
   /// One character with all of it. @return Errc::not_found; the errors of load_character().
   [[nodiscard]] base::Result<OwnCharacter> find(char32_t code_point) const;
 
-  /// Makes ready to keep a character: checks it and makes the folder. It is kept once it is written to
-  /// file_of() of the code point.
+  /// Keeps a character. One that was used in the place of the same published character stands beside it then.
   /// @param as  the code point of a kept character that it replaces; none: it is a new one.
+  /// @param same_name  of a new one.
   /// @return its code point; Errc::bad_argument for a character without name or strokes and for `as` that is
-  /// no own code point, Errc::io.
-  [[nodiscard]] base::Result<char32_t> prepare(const OwnCharacter& character,
-                                               std::optional<char32_t> as = {}) const;
-  /// Keeps a character. @return as prepare(); the errors of save_character().
-  [[nodiscard]] base::Result<char32_t> keep(const OwnCharacter& character,
-                                            std::optional<char32_t> as = {}) const;
+  /// no own code point; Errc::in_use where its name is refused, and where another program writes for longer
+  /// than two seconds; Errc::io; the errors of save_character().
+  [[nodiscard]] base::Result<char32_t> keep(const OwnCharacter& character, std::optional<char32_t> as = {},
+                                            SameName same_name = SameName::beside) const;
 
   /// Takes a character out of the collection: its file gets the ending .removed beside it, and an older one
   /// of that name is replaced, so that the last removal can be taken back by hand.
-  /// @return Errc::not_found, Errc::io.
+  /// @return Errc::not_found, Errc::io, Errc::in_use as keep().
   [[nodiscard]] base::Result<void> remove(char32_t code_point) const;
 
   /// The kept characters with a name. @return the errors of read().
@@ -83,10 +94,15 @@ class Collection {
   [[nodiscard]] std::filesystem::file_time_type changed_at() const;
 
  private:
+  [[nodiscard]] base::Result<base::FileLock> lock() const;
+  void note_change(std::filesystem::file_time_type before) const;
+  [[nodiscard]] base::Result<char32_t> free_place(const OwnCharacter& character) const;
+  [[nodiscard]] base::Result<void> free_published(char32_t instead_of, char32_t but) const;
+
   std::filesystem::path folder_;
 };
 
-/// kanji.db with the characters of a collection.
+/// kanji.db with the characters of a collection, some of them in the place of published ones.
 /// @param unread  gets what could not be read of the collection; those characters are left out.
 /// @return the errors of KanjiDatabase::open().
 [[nodiscard]] base::Result<kanji::KanjiDatabase> open_with_own(const std::filesystem::path& database,

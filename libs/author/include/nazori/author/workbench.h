@@ -151,6 +151,9 @@ class Workbench {
 
   [[nodiscard]] base::Result<void> autosave_to(const std::filesystem::path& path);
   [[nodiscard]] base::Result<void> save(const std::filesystem::path& path);
+  /// As CharacterEditor::begin_save() and end_save(): another thread writes the document.
+  [[nodiscard]] SavePoint begin_save() { return editor_.begin_save(); }
+  void end_save(SavePoint point);
   void close_journal() { editor_.close_journal(); }
 
   /// Samples of the editor's map have changed.

@@ -94,6 +94,9 @@ struct Character {
   std::vector<std::string>
       variants;  ///< suffixes of the variant files of the same character (main form only)
   DictionaryEntry entry;
+  /// The own character whose strokes and parts these are, where somebody's form takes the place of the
+  /// published one (main form only).
+  std::optional<char32_t> own_form;
 
   /// Only the lines of the strokes, for carving and drawing.
   [[nodiscard]] std::vector<StrokeLine> lines() const;

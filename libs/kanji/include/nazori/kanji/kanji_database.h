@@ -29,7 +29,8 @@ enum class List : std::uint8_t {
   hiragana,
   katakana,
   latin_and_digits,
-  own,  ///< characters that people made themselves, in the order in which they were given to open()
+  own,  ///< characters that people made themselves: first those whose form takes the place of a published
+        ///< one, commonest first, then the others in the order in which they were given to open()
   all,  ///< every character that has strokes, own ones, too
 };
 
@@ -54,9 +55,12 @@ struct StrokePath {
 class KanjiDatabase {
  public:
   /// @param own  characters that people made themselves: they are found, listed and read as those of the file
-  /// are. Their code points are those of is_own(), each once.
+  /// are. Their code points are those of is_own(), each once. One with an own_form (a code point of is_own())
+  /// has the code point of a published character instead, and its strokes and parts take the place of the
+  /// published ones; what the dictionary says of it stays. If the file does not have that character, the own
+  /// one stands beside the others, with own_form as its code point.
   /// @return Errc::not_found for a missing file, Errc::schema for a file that is not a kanji.db of this
-  /// version, Errc::bad_argument for an own character with another code point or none of its own.
+  /// version, Errc::bad_argument for own characters with other code points, or two with the same one.
   [[nodiscard]] static base::Result<KanjiDatabase> open(const std::filesystem::path& path,
                                                         std::vector<Character> own = {});
 

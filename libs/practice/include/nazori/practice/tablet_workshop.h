@@ -49,7 +49,8 @@ class TabletWorkshop {
   TabletWorkshop& operator=(const TabletWorkshop&) = delete;
 
   /// Carves a character; of several requests to carve or load only the newest is answered. The last few
-  /// tablets are cached. An own character is carved as it was made, with its own widths and relief.
+  /// tablets are cached. An own character, and one whose form somebody made, is carved as it was made, with
+  /// its own widths and relief.
   void carve(const kanji::Character& character);
 
   /// Loads a height map and strokes, either or both; an empty path means none. Strokes alone are combined

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <optional>
 
 #include "nazori/author/own_character.h"
@@ -21,8 +22,12 @@ namespace nazori::ui {
 [[nodiscard]] QString radical_form(int radical);
 /// "9 人"; empty for none.
 [[nodiscard]] QString radical_words(std::optional<int> radical);
-/// Reads a radical as it is typed: "9", "9 人" or "人". An empty text is none.
-/// @param radical  untouched where the text is refused. @return whether it was read.
-[[nodiscard]] bool read_radical(const QString& typed, std::optional<int>& radical);
+/// The number of a radical by any of its forms: 9 for "亻"; nothing for what is no form.
+using RadicalOfForm = std::function<std::optional<int>(const QString& form)>;
+/// Reads a radical as it is typed: "9", "9 人", "人" or another of its forms. An empty text is none.
+/// @param radical  untouched where the text is refused. @param of_form  knows forms other than the classical
+/// ones; empty: there are none. @return whether it was read.
+[[nodiscard]] bool read_radical(const QString& typed, std::optional<int>& radical,
+                                const RadicalOfForm& of_form = {});
 
 }  // namespace nazori::ui

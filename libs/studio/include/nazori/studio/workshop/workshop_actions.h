@@ -20,7 +20,7 @@ class WorkshopActions final : public ActionSet {
   QAction *number, *place_number, *curve;
   QAction *earlier, *later, *reverse, *ending, *insert, *split, *join, *remove;
   QAction *start_empty, *copy, *from_picture, *from_font, *from_plot, *clear_relief;
-  QAction *keep, *remove_kept;
+  QAction *keep, *instead, *remove_kept;
   QAction *add_part, *remove_part;
   QAction *details, *check, *describe, *carve, *save_copy;
   QAction *zoom_in, *zoom_out, *zoom_whole, *strokes, *panel;

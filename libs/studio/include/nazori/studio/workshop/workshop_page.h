@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -8,10 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "nazori/author/character_files.h"
 #include "nazori/author/collection.h"
 #include "nazori/author/tracer.h"
 #include "nazori/author/workbench.h"
 #include "nazori/kanji/character.h"
+#include "nazori/practice/felt_relief.h"
 #include "nazori/widgets/page/page.h"
 
 namespace nazori::ui {
@@ -45,9 +48,11 @@ class WorkshopPage final : public Page {
   void ask_and_open() override;
   void ask_and_save() override;
 
-  /// Writes without asking for a name, in the format of its ending. @return false where it failed, which is
+  /// Writes without asking for a name, in the format of its ending, on another thread. Success or failure is
   /// announced.
-  bool write(const QString& path);
+  void write(const QString& path);
+  /// Whether a file is being read or written.
+  [[nodiscard]] bool is_busy_with_files() const { return files_.is_busy(); }
   /// Finds the strokes of a picture; they take the place of what is there.
   /// @param character  that it shows; 0: not known.
   void trace_picture(const QString& path, char32_t character);
@@ -77,6 +82,8 @@ class WorkshopPage final : public Page {
   void clear_check();
   void describe();
   void feel();
+  /// Hands the relief to the tablet that the device feels; later edits follow.
+  void begin_feeling();
 
   /// The file beside which unsaved work is kept.
   [[nodiscard]] std::filesystem::path unnamed_journal() const;
@@ -85,6 +92,12 @@ class WorkshopPage final : public Page {
   void recover();
   void open(const QString& path);
   bool may_replace();
+  void take_opened(const QString& path, author::OpenedCharacter opened);
+  /// Waits for what is being read and written. The window goes on being drawn; keys and pointer wait.
+  void finish_files();
+  /// Says so where the files of the present call take long.
+  void say_if_slow(const QString& sentence);
+  void say_not_saved(const QString& path, const base::Error& error);
   void ask_and_write(const QString& suffix);
   void trace(author::TraceRequest request, char32_t character);
   void ask_picture();
@@ -95,6 +108,14 @@ class WorkshopPage final : public Page {
   /// The code point under which the document is kept among the learner's characters.
   [[nodiscard]] std::optional<char32_t> kept_as() const;
   void keep();
+  void keep_as(std::optional<char32_t> place, author::SameName same_name);
+  void ask_same_name();
+  /// The published character that has the name of this one.
+  [[nodiscard]] std::optional<char32_t> published_namesake() const;
+  /// Asks whether the form is used instead of the published one, where there is one. @return false: go back.
+  [[nodiscard]] bool choose_use();
+  void set_instead_of(std::optional<char32_t> published);
+  void toggle_instead();
   void remove_kept();
   /// Opens a kept character to change it. @return false where it is not kept.
   bool open_kept(char32_t code_point);
@@ -108,13 +129,17 @@ class WorkshopPage final : public Page {
   WorkshopPanel* panel_;
   QString file_;  ///< path of the document; empty where it has none
   bool entered_ = false;
+  bool is_shown_ = false;
   bool is_checked_ = false;
   bool journal_failed_ = false;  ///< said once for each document
   std::map<char32_t, kanji::Character> characters_;
   std::optional<author::TraceRequest> waiting_;  ///< for the strokes of asked_
   char32_t asked_ = 0;     ///< the character whose strokes are waited for; without waiting_ it is copied
   char32_t traced_ = 0;    ///< the character that is looked for
-  author::Tracer tracer_;  // declared last, so that its thread ends first
+  std::size_t edits_ = 0;  ///< made, undone and redone since the window was opened
+  author::Tracer tracer_;  // the threads are declared last, so that they end first
+  author::CharacterFiles files_;
+  practice::FeltRelief felt_;
 };
 
 }  // namespace nazori::ui

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QScrollArea>
+#include <utility>
 #include <vector>
 
 #include "nazori/author/check.h"
 #include "nazori/author/workbench.h"
+#include "nazori/studio/workshop/part_words.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -28,6 +30,8 @@ class WorkshopPanel final : public QScrollArea {
  public:
   WorkshopPanel(const WorkshopActions& actions, QWidget* parent);
 
+  /// How forms of radicals that are typed are read.
+  void set_radicals(RadicalOfForm of_form) { radical_of_form_ = std::move(of_form); }
   void show_settings(const author::BenchSettings& settings);
   void show_character(const author::Workbench& bench);
   /// Findings of a check. @param checked  false: none was made, or it is no longer true.
@@ -75,6 +79,7 @@ class WorkshopPanel final : public QScrollArea {
   PartsEditor* parts_;
   QLabel *source_, *findings_words_;
   QListWidget* findings_list_;
+  RadicalOfForm radical_of_form_;
   author::Facts facts_;
   std::vector<author::Finding> findings_;
 };

@@ -5,6 +5,7 @@
 #include <QFont>
 #include <QString>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,12 @@ namespace nazori::ui {
 
 /// Klee One, the school-book hand, in points; the font's own fallback where it is not installed.
 [[nodiscard]] QFont textbook_font(double point_size, int weight = QFont::Normal);
+
+/// Characters whose form somebody made instead of the published one, and the font that has these forms.
+/// Thread: interface.
+void set_own_forms(const QString& family, const std::set<char32_t>& characters);
+/// As textbook_font(), for one character: the font of own forms where somebody made its form.
+[[nodiscard]] QFont character_font(const QString& text, double point_size, int weight = QFont::Normal);
 
 /// Whether the textbook font itself has the character; what it lacks is drawn from its strokes.
 [[nodiscard]] bool textbook_font_has(char32_t code_point);
