@@ -143,7 +143,8 @@ void add_review(CLI::App& study, Action& chosen) {
   verb->add_option("--rating", settings->rating, "again, hard, good or easy")
       ->check(CLI::IsMember({"again", "hard", "good", "easy"}))
       ->type_name("RATING");
-  verb->add_option("--stage", settings->stage, "watch, trace, guided, memory or brush; memory and brush are scheduled")
+  verb->add_option("--stage", settings->stage,
+                   "watch, trace, guided, memory or brush; memory and brush are scheduled")
       ->check(CLI::IsMember({"watch", "trace", "guided", "memory", "brush"}))
       ->capture_default_str()
       ->type_name("STAGE");

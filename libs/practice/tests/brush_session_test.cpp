@@ -9,10 +9,10 @@
 namespace nazori::practice {
 namespace {
 
-using study::Rating;
-using study::Stage;
 using std::chrono::days;
 using std::chrono::milliseconds;
+using study::Rating;
+using study::Stage;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using Kind = SessionFeedback::Kind;

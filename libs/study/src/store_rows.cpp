@@ -309,8 +309,8 @@ void put_card(SQLite::Database& db, const Card& card) {
   Binder bind(put);
   bind << card.character;
   bind_memory(bind, card.memory);
-  bind << card.introduced << card.last_day << card.due_day << card.postponed_until << card.paused << card.leech
-       << card.leech_at << card.practices << static_cast<int>(card.next_stage) << card.help;
+  bind << card.introduced << card.last_day << card.due_day << card.postponed_until << card.paused
+       << card.leech << card.leech_at << card.practices << static_cast<int>(card.next_stage) << card.help;
   put.exec();
   put_brush_card(db, card);
 }

@@ -50,8 +50,7 @@ class BrushReviews : public BrushWindow {
       now_ += std::chrono::days(wait);
       for (const char32_t one : known) ASSERT_TRUE(store->add_writing(one, 1, easy));
     }
-    for (const char32_t one : known)
-      ASSERT_EQ(study::strength_of(store->card(one)), study::Strength::mature);
+    for (const char32_t one : known) ASSERT_EQ(study::strength_of(store->card(one)), study::Strength::mature);
   }
   static practice::BrushSession& session() { return brush_parts->brush_session(); }
   static study::LearnerStore& store() { return brush_parts->learner().store(); }

@@ -2,8 +2,8 @@
 #include "nazori/studio/brush/brush_page.h"
 
 #include <QHBoxLayout>
-#include <QVBoxLayout>
 #include <QSettings>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 

@@ -39,8 +39,9 @@ void BrushPage::start_reviews() {
   auto& session = parts().brush_session();
   if (session.is_running()) return parts().focus_tablet();
   if (parts().learner().store().settings().brush_per_day == 0) {
-    return parts().announce(Feedback::hint, tr("Reviews with the brush are off. Choose how many you want a day "
-                                               "at Home, in Study settings, Daily goal."));
+    return parts().announce(Feedback::hint,
+                            tr("Reviews with the brush are off. Choose how many you want a day "
+                               "at Home, in Study settings, Daily goal."));
   }
   if (!writing_->state().is_saved && writing_->state().strokes > 0) {
     const Unsaved choice = ask_unsaved(

@@ -16,9 +16,11 @@ DeviceActions::DeviceActions(QWidget* window) : ActionSet(window) {
              tr("Use the largest tablet that the stylus can reach completely"), "Shift+C");
   larger_tip = make("larger_tip", tr("Lar&ger ball at the tip"),
                     tr("Make the ball at the tip of the stylus half a millimetre larger"), "]");
-  smaller_tip = make("smaller_tip", tr("S&maller ball at the tip"),
-                     tr("Make the ball at the tip of the stylus half a millimetre smaller; 0 is a point"), "[");
-  add_group(tr("&Device"), {choose, look_again, nullptr, stronger, weaker, nullptr, larger_tip, smaller_tip, nullptr, calibrate, fit});
+  smaller_tip =
+      make("smaller_tip", tr("S&maller ball at the tip"),
+           tr("Make the ball at the tip of the stylus half a millimetre smaller; 0 is a point"), "[");
+  add_group(tr("&Device"), {choose, look_again, nullptr, stronger, weaker, nullptr, larger_tip, smaller_tip,
+                            nullptr, calibrate, fit});
 }
 
 }  // namespace nazori::ui

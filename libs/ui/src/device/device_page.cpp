@@ -114,15 +114,18 @@ void DevicePage::connect_actions() {
       setup_.change_strength(steps);
       show_device();
     });
-  for (const auto& [action, steps] : {std::pair{actions_->larger_tip, +1}, std::pair{actions_->smaller_tip, -1}})
+  for (const auto& [action, steps] :
+       {std::pair{actions_->larger_tip, +1}, std::pair{actions_->smaller_tip, -1}})
     on(action, [this, steps = steps] {
       const double radius_m =
           std::clamp(setup_.memory().tip_radius_m + steps * kTipStep_m, 0.0, surface::kLargestBall_m);
       set_tip(radius_m);
       feel_panel_->show_tip(radius_m);
-      parts().respond(Feedback::hint, radius_m > 0 ? tr("Radius of the ball at the tip: %1 mm.")
-                                                         .arg(QLocale().toString(1e3 * radius_m, 'f', 1))
-                                                   : tr("The tip is a point."));
+      parts().respond(
+          Feedback::hint,
+          radius_m > 0
+              ? tr("Radius of the ball at the tip: %1 mm.").arg(QLocale().toString(1e3 * radius_m, 'f', 1))
+              : tr("The tip is a point."));
     });
   on(actions_->calibrate, [this] { calibrate(); });
   on(actions_->fit, [this] {

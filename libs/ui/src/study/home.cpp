@@ -50,8 +50,8 @@ HomeActions::HomeActions(QWidget* window) : ActionSet(window) {
                   tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
   choices = make("home_choices", tr("Change &what I learn…"),
                  tr("What you want to write, what you know already, and how long a day"), "Ctrl+Shift+G");
-  add_group(tr("St&udy"), {start, reviews, more, ahead, practise, brush, leeches, choose, nullptr, all_ink, week,
-                           month, nullptr, undo, nullptr, choices, settings});
+  add_group(tr("St&udy"), {start, reviews, more, ahead, practise, brush, leeches, choose, nullptr, all_ink,
+                           week, month, nullptr, undo, nullptr, choices, settings});
 }
 
 Home::Home(WindowParts& parts)

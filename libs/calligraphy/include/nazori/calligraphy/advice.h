@@ -82,8 +82,8 @@ struct CorrectionMark {
 struct CharacterAdvice {
   char32_t character = 0;
   int written = 0;  ///< strokes in its square
-  /// These strokes in glyph units of the square, with times since the first point, and pressures where the pen
-  /// reported them.
+  /// These strokes in glyph units of the square, with times since the first point, and pressures where the
+  /// pen reported them.
   geometry::WrittenStrokes<geometry::GlyphFrame> ink;
   /// Which stroke is which, and mistakes such as a missing stroke. None where the square is empty or the
   /// strokes cannot be compared.

@@ -62,8 +62,8 @@ struct LogEntry {
 
 /// The reviews of one character with the brush. They change nothing about the reviews from memory.
 struct BrushReviews {
-  Memory memory;  ///< fresh before the first one; afterwards always in the phase `review`: there are no steps of
-                  ///< minutes
+  Memory memory;  ///< fresh before the first one; afterwards always in the phase `review`: there are no steps
+                  ///< of minutes
   std::optional<Day> last_day;  ///< of the last one
   std::optional<Day> due_day;   ///< study day on which the next one is due
 

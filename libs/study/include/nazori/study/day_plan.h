@@ -69,9 +69,9 @@ inline constexpr int kDaysOfReturn = 3;
 /// without a review the limit is 50 %, 75 % and 90 % on the first three days back. While reviews are
 /// postponed by the limit, nothing new is added. Suspended, postponed and difficult characters are left out.
 ///
-/// With the brush come characters that are well known from memory (Strength::mature) and not due from memory: those whose review with
-/// the brush is due, the earliest first, then those never written with it, the best known first. They are at
-/// most `brush_per_day`, with those already written today.
+/// With the brush come characters that are well known from memory (Strength::mature) and not due from memory:
+/// those whose review with the brush is due, the earliest first, then those never written with it, the best
+/// known first. They are at most `brush_per_day`, with those already written today.
 /// @param learning_order  all characters the learner wants, in order: CharacterLists::in_learning_order().
 /// @source descending retrievability for backlogs: simulations of open-spaced-repetition, "Review Sort
 /// Orders".
