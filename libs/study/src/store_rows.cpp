@@ -296,6 +296,7 @@ std::optional<Cards> read_cards(SQLite::Database& db) {
     card.leech_at = row.integer(0, INT32_MAX);
     card.practices = row.integer(0, INT32_MAX);
     card.next_stage = row.one_of<Stage>();
+    if (card.next_stage == Stage::brush) row.refuse();  // no part of a lesson
     card.help = row.real();
     if (!row.ok()) return std::nullopt;
     cards.emplace(card.character, card);
