@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "learner_under_test.h"
+#include "nazori/study/statistics.h"
 
 namespace nazori::practice {
 namespace {
