@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "learner_under_test.h"
+#include "nazori/practice/character_history.h"
+#include "nazori/practice/hard_characters.h"
 #include "nazori/study/statistics.h"
 
 namespace nazori::practice {
@@ -234,6 +236,23 @@ TEST_F(BrushSessionTest, ASkippedCharacterStaysDueButDoesNotComeAgainInThisSessi
   EXPECT_EQ(card(first).brush, study::BrushReviews());
   ASSERT_TRUE(session_->start());
   EXPECT_EQ(session_->character(), first);
+}
+
+TEST_F(BrushSessionTest, MistakesOfTheBrushAreNotAmongThoseOfTheStylus) {
+  know({U'一'});
+  writing::Grade wrong = grade(false);
+  for (int i = 0; i < 3; ++i) wrong.mistakes.emplace_back().kind = kanji::MistakeKind::missing;
+  for (int day = 0; day < 2; ++day) {
+    ASSERT_TRUE(session_->start());
+    session_->judge(wrong, ink());
+    session_->rate(Rating::again);
+    clock_.advance(days(1));
+  }
+  EXPECT_EQ(last_writing(U'一').writing.result.mistakes.size(), 3U);
+  EXPECT_THAT(hard_strokes(*learner_, U'一', 3), IsEmpty());
+  const auto trouble = stroke_trouble(learner_->store(), U'一', study::kFirstDay);
+  ASSERT_TRUE(trouble);
+  EXPECT_FALSE(*trouble);
 }
 
 TEST_F(BrushSessionTest, TooLongATimeIsNotCounted) {
