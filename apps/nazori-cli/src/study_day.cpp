@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "characters.h"
+#include "nazori/base/utf8.h"
 #include "nazori/exchange/cards.h"
 #include "study_session.h"
 #include "text_layout.h"
@@ -56,6 +57,10 @@ int due(Console& console, const StudyOptions& options) {
         fmt::format("{} waiting; do {} today, and you will catch up by {} ({}); nothing new until then\n",
                     plan->gentle->overdue, plan->gentle->per_day, study::to_text(plan->gentle->last_day),
                     counted(plan->gentle->days, "day")));
+  }
+  if (!plan->brush.empty()) {
+    console.print(fmt::format("with the brush: {}\n",
+                              base::encode_utf8(std::u32string(plan->brush.begin(), plan->brush.end()))));
   }
   if (!plan->leeches.empty()) {
     console.print(

@@ -101,6 +101,9 @@ int review(Console& console, const ReviewSettings& settings) {
                               study::name_of(writing.rating), study::name_of(writing.proposed),
                               wait_text(*card, learner.now(), learner.today()),
                               card->leech ? "; forgotten too often, taken out of reviews" : ""));
+  } else if (writing.stage == Stage::brush) {
+    console.print(fmt::format("{}  {} with the brush, comes back with it on {}\n", letter(character),
+                              study::name_of(writing.rating), study::to_text(*card->brush.due_day)));
   } else {
     console.print(fmt::format("{}  practised ({}), next: {}\n", letter(character), settings.stage,
                               study::name_of(card->next_stage)));
@@ -140,8 +143,9 @@ void add_review(CLI::App& study, Action& chosen) {
   verb->add_option("--rating", settings->rating, "again, hard, good or easy")
       ->check(CLI::IsMember({"again", "hard", "good", "easy"}))
       ->type_name("RATING");
-  verb->add_option("--stage", settings->stage, "watch, trace, guided or memory; only memory is scheduled")
-      ->check(CLI::IsMember({"watch", "trace", "guided", "memory"}))
+  verb->add_option("--stage", settings->stage,
+                   "watch, trace, guided, memory or brush; memory and brush are scheduled")
+      ->check(CLI::IsMember({"watch", "trace", "guided", "memory", "brush"}))
       ->capture_default_str()
       ->type_name("STAGE");
   verb->add_flag("--rejected", settings->rejected, "The writing was not accepted as the character");

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "corrections.h"
+#include "nazori/geometry/frames.h"
 #include "stroke_advice.h"
 #include "whole_advice.h"
 
@@ -34,23 +35,48 @@ std::optional<std::size_t> square_of(const BrushStroke& stroke, std::span<const 
   return best;
 }
 
+/// The points of a stroke that say something about its form.
+std::vector<const BrushPoint*> moves_of(const BrushStroke& stroke) {
+  const std::size_t step = stroke.size() / kMostPoints + 1;
+  std::vector<const BrushPoint*> moves;
+  for (std::size_t i = 0; i < stroke.size(); ++i) {
+    const BrushPoint& point = stroke[i];
+    const bool is_end = i + 1 == stroke.size();
+    const bool is_new = moves.empty() || geometry::distance(moves.back()->pen, point.pen) > kLeastMove_m;
+    if (is_end || (i % step == 0 && is_new)) moves.push_back(&point);
+  }
+  return moves;
+}
+
 writing::WrittenCharacter as_writing(std::span<const BrushStroke* const> strokes, const RuledSquare& square) {
   writing::WrittenCharacter ink;
   for (const BrushStroke* stroke : strokes) {
-    const std::size_t step = stroke->size() / kMostPoints + 1;
     writing::WrittenStroke line;
-    for (std::size_t i = 0; i < stroke->size(); ++i) {
-      const BrushPoint& point = (*stroke)[i];
-      const bool is_end = i + 1 == stroke->size();
-      // Paper counts upwards, writing downwards.
-      const writing::WritingPoint at{point.pen.x, -point.pen.y};
-      const bool is_new = line.empty() || geometry::distance(line.back().at, at) > kLeastMove_m;
-      if (is_end || (i % step == 0 && is_new)) line.push_back({at, point.time_s});
-    }
+    // Paper counts upwards, writing downwards.
+    for (const BrushPoint* point : moves_of(*stroke))
+      line.push_back({writing::WritingPoint{point->pen.x, -point->pen.y}, point->time_s});
     ink.strokes.push_back(std::move(line));
   }
   const double half = square.side_m / 2;
   ink.box = {{square.middle.x - half, -square.middle.y - half}, square.side_m};
+  return ink;
+}
+
+geometry::WrittenStrokes<geometry::GlyphFrame> in_glyph_units(std::span<const BrushStroke* const> strokes,
+                                                              const RuledSquare& square) {
+  geometry::WrittenStrokes<geometry::GlyphFrame> ink;
+  std::optional<double> zero_s;
+  const double half = square.side_m / 2;
+  const double scale = geometry::kGlyphSide / square.side_m;
+  for (const BrushStroke* stroke : strokes) {
+    auto& line = ink.emplace_back();
+    for (const BrushPoint* point : moves_of(*stroke)) {
+      if (!zero_s) zero_s = point->time_s;
+      const geometry::GlyphPoint at{(point->pen.x - square.middle.x + half) * scale,
+                                    (square.middle.y + half - point->pen.y) * scale};
+      line.push_back({at, point->time_s - *zero_s, point->pressure, {}});
+    }
+  }
   return ink;
 }
 
@@ -74,6 +100,7 @@ CharacterAdvice advise_square(std::span<const BrushStroke* const> strokes, const
   result.character = model.character.code_point;
   result.written = static_cast<int>(strokes.size());
   if (strokes.empty()) return result;
+  result.ink = in_glyph_units(strokes, model.square);
   const auto form = writing::Model::make(in_lines_of(model));
   if (!form) return result;
   auto grade = writing::grade(as_writing(strokes, model.square), *form);

@@ -34,6 +34,29 @@ TEST_F(Writings, AModelWrittenExactlyGetsNoAdviceAndIsGood) {
   }
 }
 
+TEST_F(Writings, WhatWasWrittenIsHandedBackInGlyphUnits) {
+  auto strokes = exactly(three_);
+  for (auto& point : strokes.front()) point.pressure = 0.25;
+  const double later_s = 100;
+  for (auto& stroke : strokes)
+    for (auto& point : stroke) point.time_s += later_s;
+  const auto ink = advice_for(strokes, three_).ink;
+  ASSERT_EQ(ink.size(), 3U);
+  for (std::size_t i = 0; i < ink.size(); ++i) {
+    // The square of the sheet is the box of the character.
+    const auto& line = three_.character.strokes[i].line.points;
+    EXPECT_NEAR(ink[i].front().at.x, line.front().x, 0.01);
+    EXPECT_NEAR(ink[i].front().at.y, line.front().y, 0.01);
+    EXPECT_NEAR(ink[i].back().at.x, line.back().x, 0.01);
+    EXPECT_NEAR(ink[i].back().at.y, line.back().y, 0.01);
+    EXPECT_NEAR(*ink[i].back().time_s, strokes[i].back().time_s - later_s - (strokes[0][0].time_s - later_s),
+                1e-9);
+  }
+  EXPECT_EQ(ink[0].front().time_s, 0);
+  EXPECT_EQ(ink[0].front().pressure, 0.25);
+  EXPECT_FALSE(ink[1].front().pressure);
+}
+
 TEST_F(Writings, FiveMillimetresToTheSideAreNoticedBySide) {
   const auto shifted = [this](PaperPoint by) {
     auto strokes = exactly(rest_);

@@ -23,6 +23,19 @@ Value to_json(const study::StudyTask& task) {
           {"retrievability", task.retrievability}};
 }
 
+/// null before the first review with the brush.
+Value to_json(const study::BrushReviews& brush) {
+  const study::Memory& memory = brush.memory;
+  if (memory.reps == 0) return {};
+  return {{"stability", memory.stability},
+          {"difficulty", memory.difficulty},
+          {"scheduled_days", memory.scheduled_days},
+          {"last_day", day_or_null(brush.last_day)},
+          {"due_day", day_or_null(brush.due_day)},
+          {"reps", memory.reps},
+          {"lapses", memory.lapses}};
+}
+
 }  // namespace
 
 Value to_json(const study::Card& card, const study::LearnerStore& learner) {
@@ -43,8 +56,25 @@ Value to_json(const study::Card& card, const study::LearnerStore& learner) {
           {"paused", card.paused},
           {"leech", card.leech},
           {"next_stage", study::name_of(card.next_stage)},
-          {"help", card.help}};
+          {"help", card.help},
+          {"brush", to_json(card.brush)}};
 }
+
+namespace {
+
+void read_brush(JsonObject& from, study::BrushReviews& brush) {
+  constexpr int kMost = 1'000'000'000;
+  brush.memory.phase = study::Phase::review;
+  brush.memory.stability = from.number("stability", 1e-4, 1e9);
+  brush.memory.difficulty = from.number("difficulty", 1, 10);
+  brush.memory.scheduled_days = static_cast<int>(from.whole("scheduled_days", 0, kMost));
+  brush.last_day = read_day(from, "last_day");
+  brush.due_day = read_day(from, "due_day");
+  brush.memory.reps = static_cast<int>(from.whole("reps", 0, kMost));
+  brush.memory.lapses = static_cast<int>(from.whole("lapses", 0, kMost));
+}
+
+}  // namespace
 
 base::Result<ReadCard> read_card(const Value& document) {
   constexpr double kShortest = 1e-4;  // days of stability
@@ -76,6 +106,10 @@ base::Result<ReadCard> read_card(const Value& document) {
   card.leech = from.truth("leech");
   card.next_stage = read_name(from, "next_stage", study::stage_named);
   card.help = from.number("help", 0, 1);
+  if (from.has("brush")) {
+    auto brush = from.object("brush");
+    read_brush(brush, card.brush);
+  }
   if (!reader.ok()) return tl::unexpected(reader.error());
   return read;
 }
@@ -93,6 +127,8 @@ Value to_json(const study::DayPlan& plan) {
   for (const auto& task : plan.now) now.push_back(to_json(task));
   Value later = Value::array();
   for (const auto& task : plan.later_today) later.push_back(to_json(task));
+  Value brush = Value::array();
+  for (const char32_t one : plan.brush) brush.push_back(base::encode_utf8(one));
   Value leeches = Value::array();
   for (const char32_t one : plan.leeches) leeches.push_back(base::encode_utf8(one));
   Value gentle;
@@ -109,8 +145,10 @@ Value to_json(const study::DayPlan& plan) {
           {"held_back", plan.held_back},
           {"reviews_done", plan.reviews_done},
           {"new_done", plan.new_done},
+          {"brush_done", plan.brush_done},
           {"estimate_ms", plan.estimate.count()},
           {"gentle_plan", std::move(gentle)},
+          {"brush", std::move(brush)},
           {"leeches", std::move(leeches)},
           {"now", std::move(now)},
           {"later_today", std::move(later)}};

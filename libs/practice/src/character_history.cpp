@@ -14,9 +14,11 @@ std::vector<HardStroke> hard_strokes(Learner& learner, char32_t character, std::
     return {};
   }
   std::map<int, int> wrong;
-  for (const auto& one : *writings)
+  for (const auto& one : *writings) {
+    if (one.entry.writing.stage == study::Stage::brush) continue;
     for (const auto& mistake : one.entry.writing.result.mistakes)
       if (mistake.kind != kanji::MistakeKind::ending) ++wrong[mistake.stroke];
+  }
   std::vector<HardStroke> worst;
   for (const auto& [stroke, times] : wrong)
     if (times > 1) worst.push_back({stroke, times});

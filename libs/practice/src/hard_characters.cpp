@@ -37,7 +37,8 @@ base::Result<std::optional<StrokeTrouble>> stroke_trouble(const study::LearnerSt
   int written = 0;
   for (const auto& logged : *writings) {
     const auto& entry = logged.entry;
-    if (entry.writing.stage == study::Stage::watch) continue;
+    // The brush makes other mistakes than the stylus.
+    if (entry.writing.stage == study::Stage::watch || entry.writing.stage == study::Stage::brush) continue;
     ++written;
     std::set<std::pair<int, kanji::MistakeKind>> once;
     for (const auto& mistake : entry.writing.result.mistakes)

@@ -29,6 +29,14 @@ study::WritingResult to_result(const writing::Grade& grade) {
 }
 
 study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes) {
+  study::Handwriting written;
+  for (const auto& stroke : strokes)
+    written.push_back(geometry::in_frame<geometry::GlyphFrame>(
+        stroke, [](auto at) { return geometry::tablet_to_glyph(at, geometry::TabletShape{}); }));
+  return to_handwriting(written);
+}
+
+study::Handwriting to_handwriting(const study::Handwriting& strokes) {
   study::Handwriting saved;
   if (strokes.empty() || strokes.front().empty()) return saved;
   const double zero_s = strokes.front().front().time_s.value_or(0);
@@ -38,9 +46,7 @@ study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes) {
     if (saved.size() == study::kMostSavedStrokes || points + stroke.size() > study::kMostSavedPoints) break;
     if (stroke.empty()) continue;
     points += stroke.size();
-    auto& kept = saved.emplace_back(geometry::in_frame<geometry::GlyphFrame>(
-        stroke, [](auto at) { return geometry::tablet_to_glyph(at, geometry::TabletShape{}); }));
-    for (auto& point : kept) {
+    for (auto& point : saved.emplace_back(stroke)) {
       // The servo's clock starts again from 0 when another device takes over the tablet.
       latest_s = std::max(latest_s, point.time_s.value_or(0) - zero_s);
       point.time_s = latest_s;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "named_values.h"
 
@@ -10,10 +11,34 @@ namespace nazori::study {
 namespace {
 
 /// Settings of the log are checked before they are written, so creating a scheduler from them cannot fail.
-Fsrs scheduler_of(const Settings& settings) {
-  auto fsrs = Fsrs::create(settings.fsrs);
+Fsrs scheduler_of(const FsrsSettings& settings) {
+  auto fsrs = Fsrs::create(settings);
   assert(fsrs);
   return fsrs ? *std::move(fsrs) : Fsrs();
+}
+
+/// Brush and paper are not taken out again after minutes.
+Fsrs brush_scheduler_of(FsrsSettings settings) {
+  settings.short_term_steps = false;
+  return scheduler_of(settings);
+}
+
+/// A clock that was set back counts as no time.
+int days_since(const std::optional<Day>& last, Day day) {
+  return last ? std::max(0, static_cast<int>((day - *last).count())) : 0;
+}
+
+ReviewDelay delay_of(double days) {
+  using Unit = ReviewDelay::Unit;
+  constexpr double kDaysInWords = 60, kDaysInMonth = 30.44, kDaysInYear = 365.25;
+  days = std::max(1.0, days);
+  if (days < kDaysInWords) return {Unit::days, days};
+  if (days < kDaysInYear) return {Unit::months, std::round(days / kDaysInMonth)};
+  return {Unit::years, days / kDaysInYear};
+}
+
+double days_until(const std::optional<Day>& due, Day today) {
+  return due ? static_cast<double>((*due - today).count()) : 1;
 }
 
 }  // namespace
@@ -48,10 +73,8 @@ std::optional<EntryKind> entry_kind_named(std::string_view name) { return value_
 
 void CardHistory::review(const LogEntry& entry, Rating rating, std::optional<int> interval_days,
                          const Settings& settings) {
-  const Fsrs fsrs = scheduler_of(settings);
-  // A clock that was set back counts as no time.
-  const int elapsed_days =
-      card_.last_day ? std::max(0, static_cast<int>((entry.day - *card_.last_day).count())) : 0;
+  const Fsrs fsrs = scheduler_of(settings.fsrs);
+  const int elapsed_days = days_since(card_.last_day, entry.day);
   card_.memory = fsrs.next(card_.memory, rating, entry.at, elapsed_days);
   answers_.push_back({rating, entry.at, elapsed_days});
   if (card_.memory.phase == Phase::review) {
@@ -69,7 +92,18 @@ void CardHistory::review(const LogEntry& entry, Rating rating, std::optional<int
   if (rating == Rating::again && card_.memory.lapses >= leech_at) card_.leech = true;
 }
 
+void CardHistory::review_brush(const LogEntry& entry, const Settings& settings) {
+  BrushReviews& brush = card_.brush;
+  const int elapsed_days = days_since(brush.last_day, entry.day);
+  const Rating rating = entry.writing.rating;
+  brush.memory = brush_scheduler_of(settings.fsrs).next(brush.memory, rating, entry.at, elapsed_days);
+  brush_answers_.push_back({rating, entry.at, elapsed_days});
+  brush.last_day = entry.day;
+  brush.due_day = entry.day + std::chrono::days(brush.memory.scheduled_days);
+}
+
 void CardHistory::write(const LogEntry& entry, const Settings& settings) {
+  if (entry.writing.stage == Stage::brush) return review_brush(entry, settings);
   if (!card_.introduced) card_.introduced = entry.day;
   const Writing& writing = entry.writing;
   Lesson lesson(card_.next_stage, card_.help, settings.lesson);
@@ -121,6 +155,7 @@ void CardHistory::apply(const LogEntry& entry, const Settings& settings) {
       card_.character = character;
       card_.paused = paused;
       answers_.clear();
+      brush_answers_.clear();
       return;
     }
     case EntryKind::leech_met:
@@ -139,16 +174,15 @@ void CardHistory::apply(const LogEntry& entry, const Settings& settings) {
 
 ReviewDelay review_delay(const Card& card, Time now, Day today) {
   using Unit = ReviewDelay::Unit;
-  constexpr double kDaysInWords = 60, kDaysInMonth = 30.44, kDaysInYear = 365.25;
   if (card.memory.phase != Phase::review) {
     const auto minutes = std::chrono::round<std::chrono::minutes>(card.memory.due - now).count();
     return {Unit::minutes, static_cast<double>(std::max<std::int64_t>(1, minutes))};
   }
-  const double days =
-      card.due_day ? std::max<double>(1, static_cast<double>((*card.due_day - today).count())) : 1;
-  if (days < kDaysInWords) return {Unit::days, days};
-  if (days < kDaysInYear) return {Unit::months, std::round(days / kDaysInMonth)};
-  return {Unit::years, days / kDaysInYear};
+  return delay_of(days_until(card.due_day, today));
+}
+
+ReviewDelay review_delay(const BrushReviews& brush, Day today) {
+  return delay_of(days_until(brush.due_day, today));
 }
 
 bool changes_memory(const Settings& before, const Settings& after) {
@@ -157,14 +191,17 @@ bool changes_memory(const Settings& before, const Settings& after) {
 }
 
 void CardHistory::change_settings(const Settings& settings) {
-  if (answers_.empty()) return;
-  const Fsrs fsrs = scheduler_of(settings);
-  Memory memory;
-  for (const Answer& answer : answers_) {
-    memory = fsrs.next(memory, answer.rating, answer.at, answer.elapsed_days);
-  }
-  card_.memory.stability = memory.stability;
-  card_.memory.difficulty = memory.difficulty;
+  const auto again = [](const Fsrs& fsrs, const std::vector<Answer>& answers, Memory& changed) {
+    if (answers.empty()) return;
+    Memory memory;
+    for (const Answer& answer : answers) {
+      memory = fsrs.next(memory, answer.rating, answer.at, answer.elapsed_days);
+    }
+    changed.stability = memory.stability;
+    changed.difficulty = memory.difficulty;
+  };
+  again(scheduler_of(settings.fsrs), answers_, card_.memory);
+  again(brush_scheduler_of(settings.fsrs), brush_answers_, card_.brush.memory);
 }
 
 }  // namespace nazori::study

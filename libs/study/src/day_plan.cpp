@@ -6,9 +6,11 @@
 #include <cmath>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "nazori/kanji/kana_sound.h"
 #include "nazori/study/pace.h"
+#include "nazori/study/statistics.h"
 
 namespace nazori::study {
 namespace {
@@ -100,6 +102,41 @@ GentlePlan spread(int overdue, int per_day, int full_limit, const Cards& cards, 
   return plan;
 }
 
+/// What is due with the brush today.
+class BrushDue {
+ public:
+  BrushDue(Day today, int per_day) : today_(today), per_day_(per_day) {}
+
+  void take(const Card& card) {
+    if (card.brush.last_day == today_) ++done_;
+    if (per_day_ == 0 || strength_of(card) != Strength::mature) return;
+    if (card.postponed_until && *card.postponed_until > today_) return;
+    // The model would give away the answer of the review from memory.
+    if (card.due_day && *card.due_day <= today_) return;
+    if (!card.brush.due_day) {
+      never_.emplace_back(-card.memory.stability, card.character);
+    } else if (*card.brush.due_day <= today_) {
+      again_.emplace_back(*card.brush.due_day, card.character);
+    }
+  }
+  void finish(DayPlan& plan) {
+    std::sort(again_.begin(), again_.end());
+    std::sort(never_.begin(), never_.end());
+    plan.brush_done = done_;
+    const auto room = static_cast<std::size_t>(std::max(0, per_day_ - done_));
+    for (const auto& [due, character] : again_) plan.brush.push_back(character);
+    for (const auto& [known, character] : never_) plan.brush.push_back(character);
+    if (plan.brush.size() > room) plan.brush.resize(room);
+  }
+
+ private:
+  Day today_;
+  int per_day_;
+  int done_ = 0;
+  std::vector<std::pair<Day, char32_t>> again_;
+  std::vector<std::pair<double, char32_t>> never_;
+};
+
 }  // namespace
 
 int DayPlan::count(TaskKind kind) const {
@@ -129,7 +166,9 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
   std::vector<StudyTask> reviews;
   std::vector<StudyTask> begun;
   int overdue = 0;
+  BrushDue brush(today, settings.brush_per_day);
   for (const auto& [character, card] : learner.cards()) {
+    brush.take(card);
     // What was only marked as known today is no new character of the day.
     const bool new_today = card.introduced == today && past->introduced_today.contains(character);
     if (new_today) ++plan.new_done;
@@ -166,6 +205,8 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
         break;
     }
   }
+
+  brush.finish(plan);
 
   const int return_day = day_of_return(past->days, today);
   int limit = settings.reviews_per_day;

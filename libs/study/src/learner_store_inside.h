@@ -80,7 +80,7 @@ struct LearnerStore::Inside {
     Card card;
     std::optional<int> interval_days;  ///< for the log: set if it is moved within its range
   };
-  [[nodiscard]] Outlook outlook(char32_t character, Rating rating);
+  [[nodiscard]] Outlook outlook(char32_t character, Rating rating, Stage stage);
   /// Computes the card and the study days of one character again and stores them in their tables; updating
   /// the map is up to the caller.
   [[nodiscard]] std::optional<Card> refresh_row(char32_t character);
@@ -124,6 +124,7 @@ void put_list(SQLite::Database& db, const CustomList& list);
 void delete_list(SQLite::Database& db, const std::string& name);
 void put_tag(SQLite::Database& db, char32_t character, const std::string& tag);
 void put_card(SQLite::Database& db, const Card& card);
+void delete_card(SQLite::Database& db, char32_t character);
 /// Whether entries of a kind are about a character.
 [[nodiscard]] bool names_a_character(EntryKind kind);
 /// Whether entries of a kind hold settings that apply from there on.

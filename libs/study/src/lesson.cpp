@@ -25,6 +25,8 @@ std::string_view name_of(Stage stage) {
       return "guided";
     case Stage::memory:
       return "memory";
+    case Stage::brush:
+      return "brush";
   }
   return {};
 }
@@ -58,6 +60,7 @@ void Lesson::go_to(Stage stage) {
 }
 
 void Lesson::finish(Stage stage, const WritingResult& result, int strokes) {
+  if (stage == Stage::brush) return;
   // A stage of the learner's own choice counts like the proposed one.
   go_to(stage);
   done_ = false;
@@ -91,6 +94,8 @@ void Lesson::finish(Stage stage, const WritingResult& result, int strokes) {
         help_ = faded_help(help_, error_of(result, strokes), rules_);
         go_to(Stage::guided);
       }
+      return;
+    case Stage::brush:
       return;
   }
 }

@@ -18,6 +18,7 @@ namespace {
 using std::chrono::minutes;
 
 constexpr std::size_t kMostLists = 100;
+constexpr int kMostBrush = 100;  // a day
 
 base::Result<void> check_number(const char* name, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return {};
@@ -65,9 +66,10 @@ base::Result<void> check_rules(const Settings& settings) {
     const char* name;
     double value, lowest, highest;
   };
-  for (const Limit& limit : std::array<Limit, 8>{{
+  for (const Limit& limit : std::array<Limit, 9>{{
            {"new characters a day", static_cast<double>(settings.new_per_day), 0, 1'000},
            {"reviews a day", static_cast<double>(settings.reviews_per_day), 1, 10'000},
+           {"characters with the brush a day", static_cast<double>(settings.brush_per_day), 0, kMostBrush},
            {"lapses of a leech", static_cast<double>(settings.leech_lapses), 2, 100},
            {"misses before a hint", static_cast<double>(lesson.hint_after_misses), 1, 20},
            {"misses before the stroke is shown", static_cast<double>(lesson.show_after_misses),
@@ -128,6 +130,7 @@ json::Value settings_json(const Settings& settings) {
           {"time_zone", settings.time_zone},
           {"new_order", name_of(settings.new_order)},
           {"new_lists", settings.new_lists},
+          {"brush_per_day", settings.brush_per_day},
           {"leech_lapses", settings.leech_lapses},
           {"hint_after_misses", lesson.hint_after_misses},
           {"show_after_misses", lesson.show_after_misses},
@@ -184,6 +187,7 @@ Settings read_settings(json::Reader::Object object) {
       }
     }
   }
+  whole("brush_per_day", settings.brush_per_day, 0, kMostBrush);
   whole("leech_lapses", settings.leech_lapses, 2, 100);
   whole("hint_after_misses", settings.lesson.hint_after_misses, 1, 20);
   whole("show_after_misses", settings.lesson.show_after_misses, 1, 20);

@@ -81,6 +81,11 @@ class Summing {
     DayActivity& activity = activity_[entry.day];
     activity.day = entry.day;
     activity.time += written.result.duration;
+    // The brush has reviews of its own, and another motion and other mistakes than the stylus.
+    if (written.stage == Stage::brush) {
+      ++activity.practices;
+      return;
+    }
     if (!before.introduced) ++activity.introduced;
     if (written.stage == Stage::memory) {
       ++activity.reviews;

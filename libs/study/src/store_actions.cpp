@@ -44,16 +44,18 @@ CardHistory LearnerStore::Inside::history_of(char32_t character, std::span<const
   return history;
 }
 
-LearnerStore::Inside::Outlook LearnerStore::Inside::outlook(char32_t character, Rating rating) {
+LearnerStore::Inside::Outlook LearnerStore::Inside::outlook(char32_t character, Rating rating, Stage stage) {
   const CardHistory before = history_of(character, entries_of(character));
   LogEntry entry;
   entry.at = clock();
   entry.day = calendar.day_of(entry.at);
   entry.character = character;
+  entry.writing.stage = stage;
   entry.writing.rating = rating;
   entry.writing.result.accepted = rating != Rating::again;
   CardHistory as_scheduled = before;
   as_scheduled.apply(entry, settings());
+  if (stage != Stage::memory) return {as_scheduled.card(), std::nullopt};
   const std::optional<Day>& last = before.card().last_day;
   const int elapsed = last ? std::max(0, static_cast<int>((entry.day - *last).count())) : 0;
   if (const auto fsrs = Fsrs::create(settings().fsrs)) {
@@ -86,9 +88,7 @@ std::optional<Card> LearnerStore::Inside::refresh_row(char32_t character) {
     put_card(db, history.card());
     return history.card();
   }
-  SQLite::Statement remove(db, "DELETE FROM card WHERE character = ?");
-  remove.bind(1, static_cast<std::int64_t>(character));
-  remove.exec();
+  delete_card(db, character);
   return std::nullopt;
 }
 
@@ -134,7 +134,7 @@ base::Result<Card> LearnerStore::add_writing(char32_t character, int strokes, co
   entry.strokes = strokes;
   if (writing.stage == Stage::memory) {
     auto interval = inside_->guarded([&]() -> base::Result<std::optional<int>> {
-      return inside_->outlook(character, writing.rating).interval_days;
+      return inside_->outlook(character, writing.rating, Stage::memory).interval_days;
     });
     if (!interval) return tl::unexpected(std::move(interval.error()));
     entry.interval_days = *interval;
@@ -153,8 +153,9 @@ base::Result<void> LearnerStore::act(std::span<const char32_t> characters, Entry
   return inside_->act(characters, entry, nullptr);
 }
 
-base::Result<Card> LearnerStore::preview(char32_t character, Rating rating) const {
-  return inside_->guarded([&]() -> base::Result<Card> { return inside_->outlook(character, rating).card; });
+base::Result<Card> LearnerStore::preview(char32_t character, Rating rating, Stage stage) const {
+  return inside_->guarded(
+      [&]() -> base::Result<Card> { return inside_->outlook(character, rating, stage).card; });
 }
 
 base::Result<std::optional<Undone>> LearnerStore::undo() {

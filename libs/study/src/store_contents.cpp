@@ -72,7 +72,7 @@ base::Result<RebuildReport> LearnerStore::rebuild(const base::Progress& progress
   report.cards = static_cast<int>(cards.size());
   return in.guarded([&]() -> base::Result<RebuildReport> {
     SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
-    in.db.exec("DELETE FROM card");
+    in.db.exec("DELETE FROM card; DELETE FROM brush_card");
     for (const auto& [character, card] : cards) put_card(in.db, card);
     rebuild_days(in.db);
     transaction.commit();

@@ -214,6 +214,67 @@ void LogWriter::add(const LogEntry& entry, const std::optional<PenMotion>& motio
   ink_.exec();
 }
 
+namespace {
+
+Memory read_memory(RowReader& row) {
+  Memory memory;
+  memory.phase = row.one_of<Phase>();
+  memory.stability = row.real();
+  memory.difficulty = row.real();
+  memory.step = row.integer(0, 1'000);
+  memory.scheduled_days = row.integer(0, 40'000);
+  memory.reps = row.integer(0, INT32_MAX);
+  memory.lapses = row.integer(0, INT32_MAX);
+  memory.due = row.time();
+  if (row.is_null()) {
+    row.skip(1);
+  } else {
+    memory.last_review = row.time();
+  }
+  return memory;
+}
+
+/// @return false where a row is impossible, or has no card.
+bool read_brush_cards(SQLite::Database& db, Cards& cards) {
+  SQLite::Statement rows(
+      db,
+      "SELECT character, phase, stability, difficulty, step, scheduled_days, reps, lapses, due_ms, "
+      "last_review_ms, last_day, due_day FROM brush_card");
+  while (rows.executeStep()) {
+    RowReader row(rows);
+    const auto card = cards.find(static_cast<char32_t>(row.whole(1, 0x10FFFF)));
+    BrushReviews brush;
+    brush.memory = read_memory(row);
+    brush.last_day = row.optional_day();
+    brush.due_day = row.optional_day();
+    if (!row.ok() || card == cards.end()) return false;
+    card->second.brush = brush;
+  }
+  return true;
+}
+
+void bind_memory(Binder& bind, const Memory& memory) {
+  bind << static_cast<int>(memory.phase) << memory.stability << memory.difficulty << memory.step
+       << memory.scheduled_days << memory.reps << memory.lapses << memory.due << memory.last_review;
+}
+
+void put_brush_card(SQLite::Database& db, const Card& card) {
+  if (card.brush == BrushReviews()) {
+    SQLite::Statement remove(db, "DELETE FROM brush_card WHERE character = ?");
+    remove.bind(1, static_cast<std::int64_t>(card.character));
+    remove.exec();
+    return;
+  }
+  SQLite::Statement put(db, "INSERT OR REPLACE INTO brush_card VALUES(?,?,?,?,?,?,?,?,?,?,?,?)");
+  Binder bind(put);
+  bind << card.character;
+  bind_memory(bind, card.brush.memory);
+  bind << card.brush.last_day << card.brush.due_day;
+  put.exec();
+}
+
+}  // namespace
+
 std::optional<Cards> read_cards(SQLite::Database& db) {
   SQLite::Statement rows(
       db,
@@ -224,21 +285,8 @@ std::optional<Cards> read_cards(SQLite::Database& db) {
   while (rows.executeStep()) {
     RowReader row(rows);
     Card card;
-    Memory& memory = card.memory;
     card.character = static_cast<char32_t>(row.whole(1, 0x10FFFF));
-    memory.phase = row.one_of<Phase>();
-    memory.stability = row.real();
-    memory.difficulty = row.real();
-    memory.step = row.integer(0, 1'000);
-    memory.scheduled_days = row.integer(0, 40'000);
-    memory.reps = row.integer(0, INT32_MAX);
-    memory.lapses = row.integer(0, INT32_MAX);
-    memory.due = row.time();
-    if (row.is_null()) {
-      row.skip(1);
-    } else {
-      memory.last_review = row.time();
-    }
+    card.memory = read_memory(row);
     card.introduced = row.optional_day();
     card.last_day = row.optional_day();
     card.due_day = row.optional_day();
@@ -248,22 +296,33 @@ std::optional<Cards> read_cards(SQLite::Database& db) {
     card.leech_at = row.integer(0, INT32_MAX);
     card.practices = row.integer(0, INT32_MAX);
     card.next_stage = row.one_of<Stage>();
+    if (card.next_stage == Stage::brush) row.refuse();  // no part of a lesson
     card.help = row.real();
     if (!row.ok()) return std::nullopt;
     cards.emplace(card.character, card);
   }
+  if (!read_brush_cards(db, cards)) return std::nullopt;
   return cards;
 }
 
 void put_card(SQLite::Database& db, const Card& card) {
   SQLite::Statement put(db, "INSERT OR REPLACE INTO card VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  const Memory& memory = card.memory;
-  Binder(put) << card.character << static_cast<int>(memory.phase) << memory.stability << memory.difficulty
-              << memory.step << memory.scheduled_days << memory.reps << memory.lapses << memory.due
-              << memory.last_review << card.introduced << card.last_day << card.due_day
-              << card.postponed_until << card.paused << card.leech << card.leech_at << card.practices
-              << static_cast<int>(card.next_stage) << card.help;
+  Binder bind(put);
+  bind << card.character;
+  bind_memory(bind, card.memory);
+  bind << card.introduced << card.last_day << card.due_day << card.postponed_until << card.paused
+       << card.leech << card.leech_at << card.practices << static_cast<int>(card.next_stage) << card.help;
   put.exec();
+  put_brush_card(db, card);
+}
+
+void delete_card(SQLite::Database& db, char32_t character) {
+  for (const char* const statement :
+       {"DELETE FROM card WHERE character = ?", "DELETE FROM brush_card WHERE character = ?"}) {
+    SQLite::Statement remove(db, statement);
+    remove.bind(1, static_cast<std::int64_t>(character));
+    remove.exec();
+  }
 }
 
 bool names_a_character(EntryKind kind) { return kind != EntryKind::undo && !has_settings(kind); }

@@ -112,6 +112,22 @@ CREATE TABLE study_day(
                                                                R"sql(
 -- The log may have entries of the kinds choices and known, which earlier versions cannot read.
 SELECT 1;
+)sql",
+                                                               R"sql(
+-- The log may have writings of the stage brush, which earlier versions cannot read. What follows from them,
+-- for each character that has any.
+CREATE TABLE brush_card(
+  character INTEGER PRIMARY KEY,
+  phase INTEGER NOT NULL,
+  stability REAL NOT NULL,
+  difficulty REAL NOT NULL,
+  step INTEGER NOT NULL,
+  scheduled_days INTEGER NOT NULL,
+  reps INTEGER NOT NULL,
+  lapses INTEGER NOT NULL,
+  due_ms INTEGER NOT NULL,
+  last_review_ms INTEGER,
+  last_day INTEGER, due_day INTEGER);
 )sql"};
 
 constexpr int kDaysSince = 2;  ///< the version that introduced character_day and study_day

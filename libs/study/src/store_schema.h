@@ -14,7 +14,7 @@ namespace nazori::study {
 /// PRAGMA application_id of a learner.db: "NZLN".
 inline constexpr std::int32_t kLearnerApplicationId = 0x4E5A4C4E;
 /// PRAGMA user_version; goes up with every change of the layout or of what a column means.
-inline constexpr std::int32_t kLearnerVersion = 3;
+inline constexpr std::int32_t kLearnerVersion = 4;
 
 /// Whether the file is a learner.db this program can read. A file without any table is a new one.
 /// @return its version, 0 for a new one; Errc::schema.

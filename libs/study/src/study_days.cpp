@@ -10,16 +10,19 @@ void CharacterDays::take(const LogEntry& entry) {
   }
   if (entry.kind == EntryKind::known) is_new_ = false;
   if (entry.kind != EntryKind::writing) return;
-  const bool was_new = is_new_;
-  is_new_ = false;
+  const bool with_brush = entry.writing.stage == Stage::brush;
+  const bool was_new = is_new_ && !with_brush;
+  is_new_ = is_new_ && with_brush;
   if (was_new) {
     days_.push_back({entry.day, DayOutcome::introduced});
   } else if (days_.empty() || days_.back().day != entry.day) {
     days_.push_back({entry.day, std::nullopt});
   }
   CharacterDay& today = days_.back();
-  today.time += entry.writing.result.duration;
   ++today.writings;
+  // The pace foretells how long the day's reviews take; the brush is not among them.
+  if (with_brush) return;
+  today.time += entry.writing.result.duration;
   if (entry.writing.stage != Stage::memory) return;
   ++today.reviews;
   if (!today.outcome)

@@ -363,7 +363,8 @@ TEST(LearnerStore, EveryStageRatingAndMistakeThereIsComesBack) {
       }
     }
   }
-  ASSERT_EQ(written.size(), kStages.size() * kRatings.size()) << "the lists in the headers are whole";
+  // The stages of a lesson, and the brush.
+  ASSERT_EQ(written.size(), (kStages.size() + 1) * kRatings.size()) << "the lists in the headers are whole";
   std::vector<Writing> read;
   for (const auto& one : must(open(folder / "learner.db", clock).writings_of(kRest)))
     read.push_back(one.entry.writing);

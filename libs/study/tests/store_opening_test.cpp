@@ -271,7 +271,7 @@ TEST(StoreSchema, AFileIsALearnersByItsNumberAndVersion) {
   EXPECT_EQ(version(""), "0");
   EXPECT_EQ(version(own + user(1) + table), "1");
   EXPECT_EQ(version(own + user(kLearnerVersion) + table), std::to_string(kLearnerVersion));
-  EXPECT_THAT(version(own + user(kLearnerVersion + 1) + table), HasSubstr("newer Nazori (version 4"));
+  EXPECT_THAT(version(own + user(kLearnerVersion + 1) + table), HasSubstr("newer Nazori (version 5"));
   for (const std::string& foreign : {table, user(1), own, own + user(0) + table, own + user(-1) + table,
                                      "PRAGMA application_id = 5;" + user(1) + table})
     EXPECT_THAT(version(foreign), HasSubstr("is not a Nazori study file")) << foreign;

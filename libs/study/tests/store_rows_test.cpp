@@ -182,7 +182,7 @@ TEST(StoreRows, EveryColumnOfTheLogHasItsRange) {
                              "kind = 10",
                              "kind = -1",
                              "kind = 256",
-                             "stage = 4",
+                             "stage = 5",
                              "stage = NULL",
                              "rating = 0",
                              "rating = 5",
@@ -281,7 +281,33 @@ TEST(StoreRows, EveryColumnOfACardHasItsRange) {
                              "leech_at = 2147483648",
                              "practices = -1",
                              "practices = 2147483648",
-                             "next_stage = 4"})
+                             "next_stage = 4",
+                             "next_stage = 5"})
+    EXPECT_FALSE(fits(damage)) << damage;
+}
+
+TEST(StoreRows, EveryColumnOfTheReviewsWithTheBrushHasItsRange) {
+  ChangedFile changed;
+  changed.execute(
+      "CREATE TABLE kept AS SELECT character, 2 AS phase, 3.0, 5.0, 0 AS step, 3 AS scheduled_days, 1 AS "
+      "reps, "
+      "0 AS lapses, 0 AS due_ms, 0 AS last_review_ms, 0 AS last_day, 3 AS due_day FROM card LIMIT 1");
+  const auto fits = [&](const std::string& assignment) {
+    changed.execute("INSERT INTO brush_card SELECT * FROM kept; UPDATE brush_card SET " + assignment);
+    const auto opened = LearnerStore::open(changed.file(), Access::read,
+                                           MovedClock("2026-01-01T09:00:00Z").clock(), Upkeep::later);
+    if (!opened) {
+      EXPECT_EQ(opened.error().code, base::Errc::parse) << assignment;
+    }
+    changed.execute("DELETE FROM brush_card");
+    return opened.has_value();
+  };
+  for (const char* fine : {"reps = 0", "lapses = 2147483647", "last_review_ms = NULL", "last_day = NULL",
+                           "due_day = NULL", "due_day = 4000000"})
+    EXPECT_TRUE(fits(fine)) << fine;
+  for (const char* damage : {"character = 0", "character = 1114111", "phase = 4", "step = -1",
+                             "scheduled_days = 40001", "reps = -1", "lapses = -1", "due_ms = 345600000000001",
+                             "last_review_ms = 345600000000001", "last_day = 4000001", "due_day = -4000001"})
     EXPECT_FALSE(fits(damage)) << damage;
 }
 

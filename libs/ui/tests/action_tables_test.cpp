@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "characters/character_actions.h"
+#include "device/device_actions.h"
 #include "learners/learner_actions.h"
 #include "nazori/studio/brush/brush_actions.h"
 #include "nazori/studio/workshop/workshop_actions.h"
@@ -223,6 +224,7 @@ home_reviews R
 home_more F
 home_ahead A
 home_practise P
+home_brush B
 home_leeches_lesson Ctrl+Shift+Return
 home_choose C
 -
@@ -283,6 +285,24 @@ progress_shorter K)"));
   expect_words(actions);
 }
 
+TEST_F(ActionTables, OfDevices) {
+  const DeviceActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Device]
+choose_device D
+look_again F5
+-
+stronger Ctrl+PgUp
+weaker Ctrl+PgDown
+-
+larger_tip ]
+smaller_tip [
+-
+calibrate C
+fit Shift+C)"));
+  expect_words(actions);
+}
+
 TEST_F(ActionTables, OfTheBrush) {
   const BrushActions actions(&window_);
   EXPECT_EQ(table_of(actions), lines(R"(
@@ -324,7 +344,20 @@ brush_font F
 -
 brush_model_text T
 brush_next_model .
-brush_previous_model ,)"));
+brush_previous_model ,
+[Study]
+brush_review Ctrl+Return
+brush_go_on Return Enter
+-
+brush_again 7
+brush_hard 8
+brush_good 9
+brush_easy 0
+-
+brush_undo_rating Shift+Backspace
+-
+brush_skip Ctrl+Shift+P
+brush_end Ctrl+Shift+E)"));
   expect_words(actions);
 }
 

@@ -116,6 +116,8 @@ class StudyTest : public WindowTest {
       case study::Stage::memory:
         write_from_memory(true);
         return;
+      case study::Stage::brush:
+        FAIL() << "no stage of a lesson";
     }
     ASSERT_TRUE(
         QTest::qWaitFor([] { return session().state() == practice::StudySession::State::offered; }, 5000))

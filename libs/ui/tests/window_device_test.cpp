@@ -201,6 +201,25 @@ TEST_F(Device, ChoiceAndMaterialAreRemembered) {
   EXPECT_NEAR(controller().tip_radius_m(), 0.0015, 1e-12) << "also while it is not shown";
 }
 
+TEST_F(Device, KeysMakeTheBallAtTheTipLargerAndSmallerAndSayItsRadius) {
+  press(Qt::Key_2, Qt::AltModifier);
+  find<QSlider>("tip_radius")->setValue(0);
+  press(Qt::Key_BracketRight);
+  EXPECT_EQ(feedback(), QStringLiteral("Radius of the ball at the tip: 0.5 mm."));
+  EXPECT_NEAR(controller().tip_radius_m(), 0.0005, 1e-12);
+  EXPECT_EQ(find<QSlider>("tip_radius")->value(), 5);
+  for (int i = 0; i < 7; ++i) press(Qt::Key_BracketRight);
+  EXPECT_NEAR(controller().tip_radius_m(), 0.003, 1e-12) << "no larger than the largest";
+  press(Qt::Key_BracketLeft);
+  EXPECT_EQ(feedback(), QStringLiteral("Radius of the ball at the tip: 2.5 mm."));
+  for (int i = 0; i < 5; ++i) press(Qt::Key_BracketLeft);
+  EXPECT_EQ(feedback(), QStringLiteral("The tip is a point."));
+  EXPECT_EQ(controller().tip_radius_m(), 0);
+  press(Qt::Key_BracketLeft);
+  EXPECT_EQ(controller().tip_radius_m(), 0);
+  EXPECT_EQ(find<QSlider>("tip_radius")->value(), 0);
+}
+
 TEST_F(Device, ABallAtTheTipIsFeltAtOnceAndTheForceFadesIn) {
   press(Qt::Key_2, Qt::AltModifier);
   // On the floor of the groove of the trial tablet.

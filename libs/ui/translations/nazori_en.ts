@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>nazori::ui::BrushReviewBar</name>
+    <message numerus="yes">
+        <source>a character with %n strokes</source>
+        <translation>
+            <numerusform>a character with %n stroke</numerusform>
+            <numerusform>a character with %n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::BrushWords</name>
     <message numerus="yes">
         <source>%n strokes</source>
@@ -35,6 +45,13 @@
         <translation>
             <numerusform>%n character was forgotten too often and taken out of reviews: %1</numerusform>
             <numerusform>%n characters were forgotten too often and taken out of reviews: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Write with the brush, %n characters</source>
+        <translation>
+            <numerusform>Write with the brush, %n character</numerusform>
+            <numerusform>Write with the brush, %n characters</numerusform>
         </translation>
     </message>
 </context>

@@ -822,6 +822,82 @@
         <source>Take the model from the next brush font, or as printed lines</source>
         <translation>手本を次の筆書体、または活字の線にします</translation>
     </message>
+    <message>
+        <source>&amp;Review with the brush</source>
+        <translation>筆で復習する(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Write well known characters with the brush, as set in the study settings</source>
+        <translation>定着した文字を筆で書きます。数は学習の設定で決めます</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>次へ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Get advice, or accept the suggested rating</source>
+        <translation>助言を見る、またはおすすめの評価にします</translation>
+    </message>
+    <message>
+        <source>&amp;Again</source>
+        <translation>もう一度(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Not yet: comes back soon</source>
+        <translation>まだ書けない：近いうちにまた出ます</translation>
+    </message>
+    <message>
+        <source>&amp;Hard</source>
+        <translation>難しい(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Written with effort</source>
+        <translation>苦労して書けた</translation>
+    </message>
+    <message>
+        <source>Goo&amp;d</source>
+        <translation>できた(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Written well</source>
+        <translation>よく書けた</translation>
+    </message>
+    <message>
+        <source>&amp;Easy</source>
+        <translation>簡単(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Written well and easily</source>
+        <translation>楽によく書けた</translation>
+    </message>
+    <message>
+        <source>S&amp;kip</source>
+        <translation>スキップ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Leave this character out of this session; it stays due</source>
+        <translation>この文字を今回は飛ばします。復習には残ります</translation>
+    </message>
+    <message>
+        <source>Undo las&amp;t review</source>
+        <translation>最後の復習を取り消す(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Undo the last saved review or change; repeat to go further back</source>
+        <translation>最後に保存した復習や変更を取り消します。繰り返すとさらに前に戻ります</translation>
+    </message>
+    <message>
+        <source>End the &amp;session</source>
+        <translation>学習を終える(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Everything you rated is saved</source>
+        <translation>評価したものは保存されています</translation>
+    </message>
+    <message>
+        <source>St&amp;udy</source>
+        <translation>学習(&amp;U)</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::BrushPage</name>
@@ -980,6 +1056,51 @@
     <message>
         <source>Font: %1.</source>
         <translation>書体：%1。</translation>
+    </message>
+    <message>
+        <source>Reviews with the brush are off. Choose how many you want a day at Home, in Study settings, Daily goal.</source>
+        <translation>筆での復習はオフです。1日の数は、ホームの「学習の設定」の「1日の目標」で選べます。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::BrushReviewBar</name>
+    <message>
+        <source>Review with the brush</source>
+        <translation>筆での復習</translation>
+    </message>
+    <message>
+        <source>Advice  ⏎</source>
+        <translation>助言  ⏎</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>助言</translation>
+    </message>
+    <message numerus="yes">
+        <source>a character with %n strokes</source>
+        <translation>
+            <numerusform>%n画の文字</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With the brush · %1 of %2</source>
+        <translation>筆で · %2字中%1字目</translation>
+    </message>
+    <message>
+        <source>%1: %2, suggested</source>
+        <translation>%1：%2、おすすめ</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>The advice is not a mark: you rate your writing. Suggested: %1.</source>
+        <translation>助言は採点ではありません。評価はあなたがつけます。おすすめ：%1。</translation>
+    </message>
+    <message>
+        <source>Not all strokes are those of the character. The advice is not a mark: you rate your writing. Suggested: %1.</source>
+        <translation>この文字と違う画があります。助言は採点ではありません。評価はあなたがつけます。おすすめ：%1。</translation>
     </message>
 </context>
 <context>
@@ -2117,6 +2238,22 @@
         <source>Go to the list of devices</source>
         <translation>デバイスの一覧に移ります</translation>
     </message>
+    <message>
+        <source>Lar&amp;ger ball at the tip</source>
+        <translation>ペン先の球を大きく(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Make the ball at the tip of the stylus half a millimetre larger</source>
+        <translation>ペン先の球の半径を 0.5 mm 大きくします</translation>
+    </message>
+    <message>
+        <source>S&amp;maller ball at the tip</source>
+        <translation>ペン先の球を小さく(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Make the ball at the tip of the stylus half a millimetre smaller; 0 is a point</source>
+        <translation>ペン先の球の半径を 0.5 mm 小さくします。0 にすると点になります</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::DeviceChoicePanel</name>
@@ -2335,6 +2472,14 @@
     <message>
         <source>The tablet is now where you pointed.</source>
         <translation>指した位置に文字板を置きました。</translation>
+    </message>
+    <message>
+        <source>Radius of the ball at the tip: %1 mm.</source>
+        <translation>ペン先の球の半径：%1 mm。</translation>
+    </message>
+    <message>
+        <source>The tip is a point.</source>
+        <translation>ペン先は点です。</translation>
     </message>
 </context>
 <context>
@@ -3694,6 +3839,14 @@ Columns and rows:</source>
         <source>What you want to write, what you know already, and how long a day</source>
         <translation>書きたい文字、もう書ける文字、1日の時間</translation>
     </message>
+    <message>
+        <source>&amp;Write with the brush</source>
+        <translation>筆で書く(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Review well known characters with the brush, on the page Brush</source>
+        <translation>定着した文字を「筆」のページで復習します</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::HomeView</name>
@@ -3812,6 +3965,12 @@ Columns and rows:</source>
     <message>
         <source>See all</source>
         <translation>すべて見る</translation>
+    </message>
+    <message numerus="yes">
+        <source>Write with the brush, %n characters</source>
+        <translation>
+            <numerusform>筆で書く、%n字</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5925,6 +6084,18 @@ Columns and rows:</source>
         <source>Undone: %1 is no longer marked as known.</source>
         <translation>取り消しました：%1 に付けた「書ける」の印。</translation>
     </message>
+    <message>
+        <source>No character is due with the brush now.</source>
+        <translation>今、筆で復習する文字はありません。</translation>
+    </message>
+    <message>
+        <source>All done with the brush for now. Every rating is saved.</source>
+        <translation>筆での復習はひとまず終わりです。評価はすべて保存されています。</translation>
+    </message>
+    <message>
+        <source>Saved: %1 with the brush, %2. Next time with the brush %3.</source>
+        <translation>保存しました：%1（筆）、%2。次に筆で書くのは%3です。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::SettingsProgress</name>
@@ -6554,6 +6725,14 @@ Columns and rows:</source>
     <message>
         <source>%1 likely to be remembered</source>
         <translation>覚えている確率 %1</translation>
+    </message>
+    <message>
+        <source>due with the brush</source>
+        <translation>筆で復習</translation>
+    </message>
+    <message>
+        <source>with the brush %1</source>
+        <translation>筆は%1</translation>
     </message>
 </context>
 <context>
@@ -7646,6 +7825,18 @@ Columns and rows:</source>
             <numerusform>%Ln字を知っている文字にしました。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Characters with the &amp;brush per day (maximum)</source>
+        <translation>1日に筆で書く文字の上限(&amp;B)</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>Well known characters are also written with the brush, on the page Brush. These reviews are scheduled apart from those from memory.</source>
+        <translation>定着した文字を「筆」のページで筆でも書きます。予定は、見ないで書く復習とは別に決まります。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StudyWords</name>
@@ -7796,6 +7987,10 @@ Columns and rows:</source>
     <message>
         <source>katakana: %1</source>
         <translation>カタカナ：%1</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>筆</translation>
     </message>
 </context>
 <context>

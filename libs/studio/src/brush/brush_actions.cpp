@@ -52,6 +52,23 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
   previous_model =
       make("brush_previous_model", tr("Pre&vious part"), tr("Show the previous part of the model text"), ",");
 
+  review = make("brush_review", tr("&Review with the brush"),
+                tr("Write well known characters with the brush, as set in the study settings"), "Ctrl+Return",
+                Icon::play);
+  go_on = make("brush_go_on", tr("&Next"), tr("Get advice, or accept the suggested rating"), "Return Enter",
+               Icon::next);
+  rate = {make("brush_again", tr("&Again"), tr("Not yet: comes back soon"), "7"),
+          make("brush_hard", tr("&Hard"), tr("Written with effort"), "8"),
+          make("brush_good", tr("Goo&d"), tr("Written well"), "9"),
+          make("brush_easy", tr("&Easy"), tr("Written well and easily"), "0")};
+  skip = make("brush_skip", tr("S&kip"), tr("Leave this character out of this session; it stays due"),
+              "Ctrl+Shift+P");
+  undo_rating = make("brush_undo_rating", tr("Undo las&t review"),
+                     tr("Undo the last saved review or change; repeat to go further back"), "Shift+Backspace",
+                     Icon::undo);
+  end = make("brush_end", tr("End the &session"), tr("Everything you rated is saved"), "Ctrl+Shift+E");
+  show_session(false, false);
+
   make_exclusive({model_none, model_beneath, model_beside});
   add_group(tr("&Brush"), {dip_in_ink, dip_in_water, wipe, nullptr, thicker, thinner, next_hair, next_ink,
                            nullptr, guess_pressure, left_hand, show_brush});
@@ -59,6 +76,15 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
                            nullptr, save_png, carve, nullptr, tools});
   add_group(tr("&Model"), {model_none, model_beneath, model_beside, nullptr, next_ruling, next_font, nullptr,
                            model_text, next_model, previous_model});
+  add_group(tr("St&udy"), {review, go_on, nullptr, rate[0], rate[1], rate[2], rate[3], nullptr, undo_rating,
+                           nullptr, skip, end});
+}
+
+void BrushActions::show_session(bool is_running, bool advised) {
+  for (auto* one : {go_on, skip, end}) one->setEnabled(is_running);
+  for (auto* one : rate) one->setEnabled(advised);
+  // A session has one character on a sheet.
+  for (auto* one : {next_ruling, model_text, next_model, previous_model}) one->setEnabled(!is_running);
 }
 
 }  // namespace nazori::ui

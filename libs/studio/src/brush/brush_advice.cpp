@@ -36,10 +36,12 @@ void BrushPage::show_advice(const std::vector<calligraphy::CharacterAdvice>& adv
   paper_->show_marks(std::move(marks));
   panel_->show_advice(sentences);
   parts().respond(Feedback::advice, tr("Advice: %1").arg(sentences.join(QLatin1Char(' '))));
+  judge(advice.front());
 }
 
 void BrushPage::clear_advice() {
   advises_later_ = false;
+  parts().brush_session().reopen();
   if (!actions_->advice->isChecked()) return;
   actions_->advice->setChecked(false);
   paper_->show_marks({});

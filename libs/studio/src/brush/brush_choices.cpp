@@ -197,6 +197,7 @@ void BrushPage::choose_place(ModelPlace place) {
   clear_advice();
   show_place();
   show_model();
+  parts().brush_session().show_model(brush_model_of(place));
   parts().respond(Feedback::hint, model_words());
   parts().save_later();
 }
@@ -208,7 +209,7 @@ void BrushPage::show_place() {
 }
 
 void BrushPage::turn_model(int by) {
-  const int sheets = calligraphy::sheets_of(model_text(), std::max(choice_.ruling, 1));
+  const int sheets = calligraphy::sheets_of(model_text(), std::max(ruling(), 1));
   if (sheets <= 1) {
     parts().respond(Feedback::hint, tr("The whole model text is on this sheet."));
     return;

@@ -28,6 +28,7 @@ void BrushPage::show_outcome(const Outcome& outcome) {
   const QString file = name_of(outcome.file);
   if (outcome.failed) {
     closes_when_saved_ = false;
+    is_quiet_ = false;
     const QString why = reason(outcome.error);
     switch (outcome.task) {
       case Task::open:
@@ -61,6 +62,7 @@ void BrushPage::show_outcome(const Outcome& outcome) {
       file_.clear();
       emit title_changed();
       choice_.ink = state.ink;
+      if (std::exchange(is_quiet_, false)) return;
       return parts().announce(
           Feedback::hint,
           tr("New sheet: %1. %2 brings the old one back.")

@@ -13,6 +13,7 @@
 namespace nazori::ui {
 
 std::u32string BrushPage::model_text() const {
+  if (reviews()) return std::u32string(1, parts().brush_session().character());
   std::u32string text = choice_.text.trimmed().toStdU32String();
   if (!text.empty()) return text;
   const auto& sheet = parts().practice().sheet();
@@ -20,7 +21,7 @@ std::u32string BrushPage::model_text() const {
 }
 
 std::vector<char32_t> BrushPage::models() const {
-  return calligraphy::models_on_sheet(model_text(), std::max(choice_.ruling, 1), part_);
+  return calligraphy::models_on_sheet(model_text(), std::max(ruling(), 1), part_);
 }
 
 void BrushPage::request_model() {
@@ -36,7 +37,7 @@ void BrushPage::request_model() {
 }
 
 std::vector<calligraphy::RuledSquare> BrushPage::model_squares() const {
-  auto squares = calligraphy::ruled_squares(choice_.ruling);
+  auto squares = calligraphy::ruled_squares(ruling());
   return squares.empty() ? std::vector{calligraphy::only_square()} : squares;
 }
 
@@ -77,7 +78,7 @@ void BrushPage::draw_model() {
   std::vector<calligraphy::ModelStroke> all;
   for (const auto& model : sheet_models())
     for (auto& stroke : calligraphy::strokes_of(model)) all.push_back(std::move(stroke));
-  paper_->show_model(std::move(all), calligraphy::ruled_squares(choice_.ruling), choice_.place);
+  paper_->show_model(std::move(all), calligraphy::ruled_squares(ruling()), choice_.place);
   panel_->show_model_words(model_words());
   paper_->setAccessibleDescription(sheet_words());
 }
@@ -153,7 +154,7 @@ QString BrushPage::model_words() const {
   QString words = choice_.place == ModelPlace::beneath ? tr("Model beneath: %1.").arg(text)
                                                        : tr("Model beside: %1.").arg(text);
   if (!font().empty()) words += QLatin1Char(' ') + tr("Font: %1.").arg(to_text(font()));
-  const int sheets = calligraphy::sheets_of(model_text(), std::max(choice_.ruling, 1));
+  const int sheets = calligraphy::sheets_of(model_text(), std::max(ruling(), 1));
   if (sheets <= 1) return words;
   const int at = ((part_ % sheets) + sheets) % sheets;
   return words + QLatin1Char(' ') + tr("Part %1 of %2.").arg(at + 1).arg(sheets);

@@ -3,10 +3,12 @@
 
 #include <QHBoxLayout>
 #include <QSettings>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
 #include "nazori/studio/brush/brush_actions.h"
+#include "nazori/studio/brush/brush_review_bar.h"
 #include "nazori/studio/brush/brush_words.h"
 #include "nazori/studio/brush/tools_panel.h"
 #include "nazori/widgets/controls/parts.h"
@@ -39,11 +41,16 @@ BrushPage::BrushPage(WindowParts& parts)
       actions_(new BrushActions(&parts.window())),
       widget_(named(new QWidget(&parts.window()), "brush_page")),
       paper_(new PaperView(widget_)),
-      panel_(new BrushToolsPanel(*actions_, widget_)) {
+      panel_(new BrushToolsPanel(*actions_, widget_)),
+      bar_(new BrushReviewBar(parts.brush_session(), parts.learner(), *actions_, widget_)) {
   auto* row = new QHBoxLayout(widget_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  row->addWidget(paper_, 1);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(0);
+  column->addWidget(bar_);
+  column->addWidget(paper_, 1);
+  row->addLayout(column, 1);
   row->addWidget(panel_);
   widget_->setFocusProxy(paper_);
   timer_.setInterval(kFrame_ms);
@@ -56,9 +63,11 @@ BrushPage::BrushPage(WindowParts& parts)
   connect_panel();
   connect_paper();
   connect_font_models();
+  connect_reviews();
   subscribe(parts.library().characters_ready, this, [this](const std::vector<kanji::Character>& characters) {
     for (const auto& character : characters) characters_[character.code_point] = character;
     if (entered_) show_model();
+    if (reviews()) show_reviews();
   });
 }
 
@@ -139,7 +148,7 @@ void BrushPage::enter() {
   static_cast<QHBoxLayout*>(widget_->layout())
       ->setDirection(parts().preferences().left_handed ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight);
   show_place();
-  panel_->show_ruling(choice_.ruling);
+  panel_->show_ruling(ruling());
   if (!fonts_) font_models_.list();
   request_model();
   parts().note_opened();
@@ -182,10 +191,15 @@ void BrushPage::tick() {
 void BrushPage::show_frame(const calligraphy::BrushFrame& frame) {
   paper_->show_frame(frame);
   const auto& state = frame.state;
-  actions_->undo->setEnabled(state.undoes != calligraphy::Edit::none);
-  actions_->redo->setEnabled(state.redoes != calligraphy::Edit::none);
+  // In a session the sheet before belongs to another character.
+  const auto can = [this](calligraphy::Edit edit) {
+    return edit != calligraphy::Edit::none && !(reviews() && edit == calligraphy::Edit::new_sheet);
+  };
+  actions_->undo->setEnabled(can(state.undoes));
+  actions_->redo->setEnabled(can(state.redoes));
   actions_->dry->setEnabled(state.is_wet);
   panel_->show_state(state);
+  note_strokes(state.strokes);
   paper_->setAccessibleDescription(sheet_words());
   if (state.fullness > kAlmostDry) warned_dry_ = false;
   if (state.fullness < kAlmostDry && !state.is_writing && !warned_dry_) {

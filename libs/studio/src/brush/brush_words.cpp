@@ -100,6 +100,18 @@ QString paper_words(const calligraphy::SheetState& state) {
   return state.is_wet ? Words::tr("%1, wet.").arg(strokes) : Words::tr("%1, dry.").arg(strokes);
 }
 
+practice::BrushModel brush_model_of(ModelPlace place) {
+  switch (place) {
+    case ModelPlace::none:
+      return practice::BrushModel::none;
+    case ModelPlace::beneath:
+      return practice::BrushModel::beneath;
+    case ModelPlace::beside:
+      return practice::BrushModel::beside;
+  }
+  return practice::BrushModel::none;
+}
+
 QString undo_words(Edit edit, int strokes) {
   switch (edit) {
     case Edit::none:

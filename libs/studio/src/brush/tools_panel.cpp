@@ -212,6 +212,11 @@ void BrushToolsPanel::focus_text() {
   text_->selectAll();
 }
 
+void BrushToolsPanel::set_model_free(bool is_free) {
+  ruling_->setEnabled(is_free);
+  text_->setEnabled(is_free);
+}
+
 QSize BrushToolsPanel::sizeHint() const { return {QFontInfo(font()).pixelSize() * kWidth_em, 400}; }
 
 }  // namespace nazori::ui

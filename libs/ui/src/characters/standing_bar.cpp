@@ -49,6 +49,12 @@ QString StandingBar::words(const practice::CharacterStanding& standing) {
             : tr("comes again %1").arg(StudyWords::comes_again(standing.card, standing.now, standing.today)));
   if (standing.recall > 0)
     all.append(tr("%1 likely to be remembered").arg(StudyCharts::percent(standing.recall)));
+  const auto& brush = standing.card.brush;
+  if (brush.due_day && standing.comes_again)
+    all.append(*brush.due_day <= standing.today
+                   ? tr("due with the brush")
+                   : tr("with the brush %1")
+                         .arg(StudyWords::comes_again(study::review_delay(brush, standing.today))));
   return all.join(QStringLiteral(" · "));
 }
 

@@ -14,7 +14,13 @@ DeviceActions::DeviceActions(QWidget* window) : ActionSet(window) {
                    tr("Point at three corners of the tablet with the stylus"), "C");
   fit = make("fit", tr("&Fit automatically"),
              tr("Use the largest tablet that the stylus can reach completely"), "Shift+C");
-  add_group(tr("&Device"), {choose, look_again, nullptr, stronger, weaker, nullptr, calibrate, fit});
+  larger_tip = make("larger_tip", tr("Lar&ger ball at the tip"),
+                    tr("Make the ball at the tip of the stylus half a millimetre larger"), "]");
+  smaller_tip =
+      make("smaller_tip", tr("S&maller ball at the tip"),
+           tr("Make the ball at the tip of the stylus half a millimetre smaller; 0 is a point"), "[");
+  add_group(tr("&Device"), {choose, look_again, nullptr, stronger, weaker, nullptr, larger_tip, smaller_tip,
+                            nullptr, calibrate, fit});
 }
 
 }  // namespace nazori::ui

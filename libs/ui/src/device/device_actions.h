@@ -10,7 +10,7 @@ class DeviceActions final : public ActionSet {
   Q_OBJECT
  public:
   explicit DeviceActions(QWidget* window);
-  QAction *look_again, *choose, *stronger, *weaker, *calibrate, *fit;
+  QAction *look_again, *choose, *stronger, *weaker, *calibrate, *fit, *larger_tip, *smaller_tip;
 };
 
 }  // namespace nazori::ui

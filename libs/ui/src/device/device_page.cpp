@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/device_page.h"
 
+#include <QLocale>
 #include <QSettings>
 #include <QTimer>
+#include <algorithm>
 #include <utility>
 
 #include "device/device_actions.h"
 #include "device/device_choice_panel.h"
 #include "device/feel_panel.h"
+#include "nazori/surface/ball_surface.h"
 #include "nazori/tablet/trial_tablet.h"
 #include "nazori/widgets/events/signals.h"
 #include "nazori/widgets/settings/stored_settings.h"
@@ -16,6 +19,11 @@
 #include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
+namespace {
+
+constexpr double kTipStep_m = 0.0005;
+
+}  // namespace
 
 DevicePage::DevicePage(WindowParts& parts)
     : Page(parts, {QStringLiteral("device"), tr("&Device"),
@@ -106,6 +114,19 @@ void DevicePage::connect_actions() {
       setup_.change_strength(steps);
       show_device();
     });
+  for (const auto& [action, steps] :
+       {std::pair{actions_->larger_tip, +1}, std::pair{actions_->smaller_tip, -1}})
+    on(action, [this, steps = steps] {
+      const double radius_m =
+          std::clamp(setup_.memory().tip_radius_m + steps * kTipStep_m, 0.0, surface::kLargestBall_m);
+      set_tip(radius_m);
+      feel_panel_->show_tip(radius_m);
+      parts().respond(
+          Feedback::hint,
+          radius_m > 0
+              ? tr("Radius of the ball at the tip: %1 mm.").arg(QLocale().toString(1e3 * radius_m, 'f', 1))
+              : tr("The tip is a point."));
+    });
   on(actions_->calibrate, [this] { calibrate(); });
   on(actions_->fit, [this] {
     setup_.fit();
@@ -147,11 +168,13 @@ void DevicePage::connect_panels() {
     parts().tablet().set_material(material);
     parts().save_later();
   });
-  connect(feel_panel_, &FeelPanel::tip_changed, this, [this](double radius_m) {
-    setup_.set_tip(radius_m);
-    parts().tablet().set_tip(radius_m);
-    parts().save_later();
-  });
+  connect(feel_panel_, &FeelPanel::tip_changed, this, &DevicePage::set_tip);
+}
+
+void DevicePage::set_tip(double radius_m) {
+  setup_.set_tip(radius_m);
+  parts().tablet().set_tip(radius_m);
+  parts().save_later();
 }
 
 void DevicePage::connect_stylus() {

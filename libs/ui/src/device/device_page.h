@@ -41,6 +41,7 @@ class DevicePage final : public Page {
   [[nodiscard]] static QString change_words(devices::DeviceChange change);
   void look_again();
   void show_device();
+  void set_tip(double radius_m);
   void calibrate();
   void add_corner();
   void end_calibration(const QString& sentence, Feedback kind);

@@ -32,6 +32,8 @@ HomeActions::HomeActions(QWidget* window) : ActionSet(window) {
                tr("Review the next characters before they are due, twenty at most"), "A");
   practise = make("home_practise", tr("&Practise what was hard"),
                   tr("Write the characters that need care from memory once"), "P");
+  brush = make("home_brush", tr("&Write with the brush"),
+               tr("Review well known characters with the brush, on the page Brush"), "B", Icon::brush);
   leeches = make("home_leeches_lesson", tr("Rele&arn difficult characters"),
                  tr("Relearn characters you forgot too often, starting with Watch"), "Ctrl+Shift+Return");
   choose = make("home_choose", tr("&Choose characters"), tr("Go to the Characters page"), "C");
@@ -48,8 +50,8 @@ HomeActions::HomeActions(QWidget* window) : ActionSet(window) {
                   tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
   choices = make("home_choices", tr("Change &what I learn…"),
                  tr("What you want to write, what you know already, and how long a day"), "Ctrl+Shift+G");
-  add_group(tr("St&udy"), {start, reviews, more, ahead, practise, leeches, choose, nullptr, all_ink, week,
-                           month, nullptr, undo, nullptr, choices, settings});
+  add_group(tr("St&udy"), {start, reviews, more, ahead, practise, brush, leeches, choose, nullptr, all_ink,
+                           week, month, nullptr, undo, nullptr, choices, settings});
 }
 
 Home::Home(WindowParts& parts)
@@ -78,6 +80,7 @@ Home::Home(WindowParts& parts)
                tr("There is nothing to review ahead."));
   });
   on(actions_->practise, [this] { start_with(view_->hard(), tr("No character needs care now.")); });
+  on(actions_->brush, [this] { emit this->parts().review_with_brush(); });
   on(actions_->choose, [this] { this->parts().go_to(QStringLiteral("characters")); });
   on(actions_->undo, [this] { this->parts().session().undo(); });
   on(actions_->all_ink, [this](bool all) { view_->show_all_ink(all); });

@@ -15,7 +15,7 @@ class HomeActions final : public ActionSet {
   Q_OBJECT
  public:
   explicit HomeActions(QWidget* window);
-  QAction *start, *reviews, *more, *ahead, *practise, *leeches, *choose;
+  QAction *start, *reviews, *more, *ahead, *practise, *brush, *leeches, *choose;
   QAction *all_ink, *week, *month, *undo, *settings, *choices;
 };
 

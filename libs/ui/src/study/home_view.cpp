@@ -83,6 +83,8 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
   // What has a key of its own says so, because Enter does not press it.
   show_key(more_, actions.more, tr("Five more new characters"));
   show_key(ahead_, actions.ahead, tr("Review ahead"));
+  brush_ = button(actions.brush, "home_brush", {});
+  brush_key_ = actions.brush->shortcut().toString(QKeySequence::NativeText);
   choose_ = button(actions.choose, "home_free_writing", tr("Choose characters"));
   settings_ = button(actions.settings, "home_settings", tr("Study settings…"));
   advice_ = sentence_label("home_advice", content_);
@@ -123,7 +125,7 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
                                        flow_of({relearn_}, content_)});
 
   left_ = column_of({trouble_, again_, start_, advice_,
-                     flow_of({reviews_, more_, ahead_, choose_, settings_}, content_), way_card_},
+                     flow_of({reviews_, more_, ahead_, brush_, choose_, settings_}, content_), way_card_},
                     content_);
   right_ = column_of({new_title_, new_.box, ink_title_, ink_card_, care_title_, care_card_}, content_);
   header_ = new QGridLayout;
@@ -225,6 +227,11 @@ void HomeView::show_work(const study::DayPlan& plan) {
   const auto next = is_done ? practice::new_characters(learner_, 1) : std::vector<char32_t>();
   more_->setVisible(is_done && plan.held_back == 0 && next && !next->empty());
   ahead_->setVisible(is_done && plan.held_back == 0 && !practice::reviews_ahead(store, 1).empty());
+  const int with_brush = static_cast<int>(plan.brush.size());
+  brush_->setVisible(with_brush > 0 && learner_.can_write());
+  const QString brush = tr("Write with the brush, %n characters", nullptr, with_brush);
+  brush_->setText(QStringLiteral("%1  %2").arg(brush, brush_key_));
+  brush_->setAccessibleName(brush);
   set_text(advice_, plan.now.empty() ? HomeWords::outlook(practice::outlook_of(store, plan), store.calendar())
                                      : HomeWords::advice(plan, store.cards().empty()));
 }

@@ -73,7 +73,8 @@ class HomeView final : public QScrollArea {
   QLabel *greeting_, *day_, *trouble_, *advice_, *leeches_;
   QPushButton* again_;
   StartButton* start_;
-  QPushButton *reviews_, *choose_, *settings_, *more_, *ahead_;
+  QPushButton *reviews_, *choose_, *settings_, *more_, *ahead_, *brush_;
+  QString brush_key_;
   QLabel* way_title_;
   QWidget* way_card_;
   QVBoxLayout* way_;

@@ -110,6 +110,14 @@ QWidget* StudySettingsDialog::make_amount() {
   new_ = add_spin(page, tr("&New characters per day (maximum)"), "study_new", 0, 1000, before_.new_per_day);
   reviews_ =
       add_spin(page, tr("&Reviews per day (maximum)"), "study_reviews", 1, 10'000, before_.reviews_per_day);
+  brush_ = add_spin(page, tr("Characters with the &brush per day (maximum)"), "study_brush", 0, 100,
+                    before_.brush_per_day);
+  brush_->setSpecialValueText(tr("off"));
+  auto* brush_words = text_label("study_brush_words", page, "muted");
+  brush_words->setText(
+      tr("Well known characters are also written with the brush, on the page Brush. These reviews are "
+         "scheduled apart from those from memory."));
+  form->addRow(brush_words);
   day_starts_ =
       add_spin(page, tr("A study &day starts at (hour)"), "study_day_starts", 0, 12, before_.day_starts_at);
   zone_ = named(new QComboBox(page), "study_zone", tr("Time zone"));
@@ -181,6 +189,7 @@ study::Settings StudySettingsDialog::settings() const {
   to.fsrs.weights = weights_;
   to.new_per_day = new_->value();
   to.reviews_per_day = reviews_->value();
+  to.brush_per_day = brush_->value();
   to.day_starts_at = day_starts_->value();
   to.time_zone = zone_->currentData().toString().toStdString();
   to.new_order = static_cast<study::NewOrder>(order_->currentData().toInt());

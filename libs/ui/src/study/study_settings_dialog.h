@@ -62,7 +62,7 @@ class StudySettingsDialog final : public QDialog {
   QTabWidget* tabs_;
   NumberSlider* retention_;
   QLabel* workload_;
-  QSpinBox *new_, *reviews_, *day_starts_;
+  QSpinBox *new_, *reviews_, *brush_, *day_starts_;
   QComboBox* zone_;
   QComboBox* order_;
   QListWidget* lists_;

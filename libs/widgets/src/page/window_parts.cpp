@@ -38,9 +38,11 @@ WindowParts::WindowParts(QWidget& window, QString settings_file, const practice:
   });
   connect(&day_timer_, &QTimer::timeout, this, [this] { learner_.tick(); });
   day_timer_.start(kLookAtTheDay_ms);
-  subscribe(session_.announced, this, [this](const practice::SessionFeedback& feedback) {
+  const auto announce_feedback = [this](const practice::SessionFeedback& feedback) {
     announce(SessionWords::kind(feedback), SessionWords::sentence(feedback));
-  });
+  };
+  subscribe(session_.announced, this, announce_feedback);
+  subscribe(brush_session_.announced, this, announce_feedback);
   session_.set_asks_by_words(preferences_.asks_by_words);
   subscribe(learner_.profile_changed, this, [this] {
     preferences_.profile = to_text(learner_.profile());

@@ -71,6 +71,7 @@ QString SessionWords::undone(const SessionFeedback& feedback) {
 
 QString SessionWords::sentence(const SessionFeedback& feedback) {
   const QString character = feedback.characters.empty() ? QString() : to_text(feedback.characters.front());
+  const bool with_brush = feedback.stage == study::Stage::brush;
   const auto put_aside = [](const QString& what) { return tr("%1 Ctrl+Shift+Z: undo.").arg(what); };
   switch (feedback.kind) {
     case SessionKind::not_writable:
@@ -80,14 +81,19 @@ QString SessionWords::sentence(const SessionFeedback& feedback) {
     case SessionKind::plan_lost:
       return to_text(base::to_line(feedback.error));
     case SessionKind::nothing_due:
-      return tr("Nothing is due now.");
+      return with_brush ? tr("No character is due with the brush now.") : tr("Nothing is due now.");
     case SessionKind::nothing_to_undo:
       return tr("Nothing to undo.");
     case SessionKind::all_done:
-      return tr("All done for now. Everything is saved.");
+      return with_brush ? tr("All done with the brush for now. Every rating is saved.")
+                        : tr("All done for now. Everything is saved.");
     case SessionKind::ended:
       return tr("Session ended. Everything you rated is saved.");
     case SessionKind::rated:
+      if (with_brush)
+        return tr("Saved: %1 with the brush, %2. Next time with the brush %3.")
+            .arg(character, StudyWords::rating(feedback.rating),
+                 StudyWords::comes_again(study::review_delay(feedback.card.brush, feedback.today)));
       return tr("Saved: %1, %2. Next review %3.")
           .arg(character, StudyWords::rating(feedback.rating),
                StudyWords::comes_again(feedback.card, feedback.now, feedback.today));

@@ -80,12 +80,17 @@ QString StudyWords::stage(study::Stage stage) {
       return tr("Guided");
     case study::Stage::memory:
       return tr("Memory");
+    case study::Stage::brush:
+      return tr("Brush");
   }
   return {};
 }
 
 QString StudyWords::comes_again(const study::Card& card, study::Time now, study::Day today) {
-  const auto delay = study::review_delay(card, now, today);
+  return comes_again(study::review_delay(card, now, today));
+}
+
+QString StudyWords::comes_again(const study::ReviewDelay& delay) {
   const int amount = static_cast<int>(delay.amount);
   switch (delay.unit) {
     case Unit::minutes:
@@ -101,7 +106,10 @@ QString StudyWords::comes_again(const study::Card& card, study::Time now, study:
 }
 
 QString StudyWords::comes_again_short(const study::Card& card, study::Time now, study::Day today) {
-  const auto delay = study::review_delay(card, now, today);
+  return comes_again_short(study::review_delay(card, now, today));
+}
+
+QString StudyWords::comes_again_short(const study::ReviewDelay& delay) {
   switch (delay.unit) {
     case Unit::minutes:
       return tr("%1 min").arg(delay.amount);

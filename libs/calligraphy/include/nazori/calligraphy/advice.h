@@ -9,6 +9,7 @@
 #include "nazori/calligraphy/brush_stroke.h"
 #include "nazori/calligraphy/ruling.h"
 #include "nazori/calligraphy/sheet_ink.h"
+#include "nazori/geometry/written_stroke.h"
 #include "nazori/kanji/character.h"
 #include "nazori/writing/grade.h"
 
@@ -81,6 +82,9 @@ struct CorrectionMark {
 struct CharacterAdvice {
   char32_t character = 0;
   int written = 0;  ///< strokes in its square
+  /// These strokes in glyph units of the square, with times since the first point, and pressures where the
+  /// pen reported them.
+  geometry::WrittenStrokes<geometry::GlyphFrame> ink;
   /// Which stroke is which, and mistakes such as a missing stroke. None where the square is empty or the
   /// strokes cannot be compared.
   std::optional<writing::Grade> grade;

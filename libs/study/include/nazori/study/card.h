@@ -35,7 +35,7 @@ enum class EntryKind : std::uint8_t {
 /// One writing of a character.
 struct Writing {
   Stage stage = Stage::memory;
-  Rating rating = Rating::good;    ///< the learner's rating; only used in the stage `memory`
+  Rating rating = Rating::good;    ///< the learner's rating; only used in the stages `memory` and `brush`
   Rating proposed = Rating::good;  ///< the result of proposed_rating()
   WritingResult result;
 
@@ -60,21 +60,32 @@ struct LogEntry {
   friend bool operator==(const LogEntry&, const LogEntry&) = default;
 };
 
+/// The reviews of one character with the brush. They change nothing about the reviews from memory.
+struct BrushReviews {
+  Memory memory;  ///< fresh before the first one; afterwards always in the phase `review`: there are no steps
+                  ///< of minutes
+  std::optional<Day> last_day;  ///< of the last one
+  std::optional<Day> due_day;   ///< study day on which the next one is due
+
+  friend bool operator==(const BrushReviews&, const BrushReviews&) = default;
+};
+
 /// The study state of one character. Computed from the log.
 struct Card {
   char32_t character = 0;
   Memory memory;
   std::optional<Day> introduced;       ///< the first day of study since it was last reset, or when it was
-                                       ///< marked as known
+                                       ///< marked as known; a review with the brush is none
   std::optional<Day> last_day;         ///< of the last review from memory
   std::optional<Day> due_day;          ///< in the phase `review`: the study day on which it is due
   std::optional<Day> postponed_until;  ///< not before this day
   bool paused = false;
   bool leech = false;               ///< difficult: forgotten too often and taken out of reviews
   int leech_at = 0;                 ///< number of lapses at which it becomes difficult again; 0: as set
-  int practices = 0;                ///< writings in other stages than `memory`
+  int practices = 0;                ///< writings in other stages than `memory` and `brush`
   Stage next_stage = Stage::watch;  ///< what the lesson proposes
   double help = 1;                  ///< help of the next guided writing
+  BrushReviews brush;
 
   friend bool operator==(const Card&, const Card&) = default;
 };
@@ -90,6 +101,8 @@ struct ReviewDelay {
 /// When a card comes again: a learning step in minutes, a review in days, from two months on in months and
 /// from a year on in years.
 [[nodiscard]] ReviewDelay review_delay(const Card& card, Time now, Day today);
+/// When a character that was written with the brush comes again with it.
+[[nodiscard]] ReviewDelay review_delay(const BrushReviews& brush, Day today);
 
 /// Whether two settings give different numbers for the same reviews.
 [[nodiscard]] bool changes_memory(const Settings& before, const Settings& after);
@@ -120,9 +133,11 @@ class CardHistory {
   void know(const LogEntry& entry, const Settings& settings);
   void review(const LogEntry& entry, Rating rating, std::optional<int> interval_days,
               const Settings& settings);
+  void review_brush(const LogEntry& entry, const Settings& settings);
   void relearned(const Settings& settings);
   Card card_;
   std::vector<Answer> answers_;
+  std::vector<Answer> brush_answers_;
   bool met_ = false;
 };
 

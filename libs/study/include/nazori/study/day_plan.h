@@ -44,9 +44,11 @@ struct DayPlan {
   Day day{};
   std::vector<StudyTask> now;          ///< to be done now, in this order
   std::vector<StudyTask> later_today;  ///< steps that become due later today, in order of time
+  std::vector<char32_t> brush;         ///< to be written with the brush now, in this order; not in `now`
   std::vector<char32_t> leeches;       ///< difficult characters; relearning is offered, never forced
   int reviews_done = 0;                ///< characters reviewed today that were introduced before today
   int new_done = 0;                    ///< characters introduced today
+  int brush_done = 0;                  ///< characters written with the brush today
   int held_back = 0;                   ///< due characters that the day's limit moves to another day
   std::optional<GentlePlan> gentle;
   std::chrono::milliseconds estimate{0};  ///< time for all of `now`
@@ -66,6 +68,10 @@ inline constexpr int kDaysOfReturn = 3;
 /// more are due, the best known come first, because this preserves the most knowledge. After `kDaysAway` days
 /// without a review the limit is 50 %, 75 % and 90 % on the first three days back. While reviews are
 /// postponed by the limit, nothing new is added. Suspended, postponed and difficult characters are left out.
+///
+/// With the brush come characters that are well known from memory (Strength::mature) and not due from memory:
+/// those whose review with the brush is due, the earliest first, then those never written with it, the best
+/// known first. They are at most `brush_per_day`, with those already written today.
 /// @param learning_order  all characters the learner wants, in order: CharacterLists::in_learning_order().
 /// @source descending retrievability for backlogs: simulations of open-spaced-repetition, "Review Sort
 /// Orders".

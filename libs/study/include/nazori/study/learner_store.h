@@ -117,14 +117,16 @@ class LearnerStore {
   [[nodiscard]] const std::optional<base::Error>& backup_trouble() const;
 
   // The learner's actions. Each one is durable when it returns, and undo() undoes it completely.
-  /// A character was written, or watched. In the stage `memory` it is a review and schedules the character.
+  /// A character was written, or watched. In the stages `memory` and `brush` it is a review and schedules the
+  /// character, each by itself.
   /// @param strokes  of the character, >= 1.
   /// @return the card as it is now.
   [[nodiscard]] base::Result<Card> add_writing(char32_t character, int strokes, const Writing& writing,
                                                const Handwriting& ink = {});
   /// The card as it would be after a review with `rating` now, including fuzz and load balance; for "Good: in
-  /// 4 days" on a button.
-  [[nodiscard]] base::Result<Card> preview(char32_t character, Rating rating) const;
+  /// 4 days" on a button. @param stage  `memory` or `brush`.
+  [[nodiscard]] base::Result<Card> preview(char32_t character, Rating rating,
+                                           Stage stage = Stage::memory) const;
   /// Undoes the last action that is not undone yet and is not a change of settings alone. nullopt: there is
   /// none.
   [[nodiscard]] base::Result<std::optional<Undone>> undo();
@@ -174,7 +176,7 @@ class LearnerStore {
   // history.
   /// Days with a writing that was not undone, oldest first.
   [[nodiscard]] base::Result<std::vector<StudyDay>> study_days() const;
-  /// How long the writings of a day took, in every stage.
+  /// How long the writings of a day took, in every stage but `brush`.
   [[nodiscard]] base::Result<std::chrono::milliseconds> time_on(Day day) const;
   /// Characters that were written from memory on a day, ascending.
   [[nodiscard]] base::Result<std::vector<char32_t>> reviewed_on(Day day) const;

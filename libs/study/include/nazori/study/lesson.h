@@ -10,16 +10,18 @@
 
 namespace nazori::study {
 
-/// The stages of learning a character.
+/// What a learner does with a character.
 enum class Stage : std::uint8_t {
   watch = 0,   ///< a brush shows the strokes
   trace = 1,   ///< the learner follows the grooves, with arrows and numbers
   guided = 2,  ///< with help that fades
   memory = 3,  ///< blank tablet
+  brush = 4,   ///< with a brush on paper; reviewed apart from the others, once the character is well known
 };
+/// The stages of a lesson, in its order.
 inline constexpr std::array kStages{Stage::watch, Stage::trace, Stage::guided, Stage::memory};
 
-/// "watch", "trace", "guided", "memory"; empty for an invalid number, as with every name_of() here.
+/// "watch", "trace", "guided", "memory", "brush"; empty for an invalid number, as with every name_of() here.
 [[nodiscard]] std::string_view name_of(Stage stage);
 [[nodiscard]] std::optional<Stage> stage_named(std::string_view name);
 
@@ -67,7 +69,8 @@ class Lesson {
   /// watch -> trace. trace -> guided when it was accepted without a shown stroke, else trace again, and back
   /// to watch after two failures in a row. guided -> memory when the help has faded to `help_is_over` or a
   /// try had no mistake and no miss at all; back to trace after two failures in a row. memory: done when
-  /// accepted without a shown stroke; else back to guided with the help that follows from the error.
+  /// accepted without a shown stroke; else back to guided with the help that follows from the error. brush is
+  /// no part of a lesson and changes nothing.
   void finish(Stage stage, const WritingResult& result, int strokes);
 
   [[nodiscard]] Stage next_stage() const { return stage_; }  ///< what to do next

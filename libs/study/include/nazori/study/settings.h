@@ -39,7 +39,8 @@ struct Settings {
   NewOrder new_order = NewOrder::grade;
   std::vector<std::string> new_lists{"grade-1", "grade-2", "grade-3",  "grade-4",
                                      "grade-5", "grade-6", "secondary"};  ///< ids of lists, at most 100
-  int leech_lapses = 8;  ///< number of lapses that make a character difficult; 2..100
+  int brush_per_day = 0;  ///< well known characters that are reviewed with the brush, too; 0..100, 0: none
+  int leech_lapses = 8;   ///< number of lapses that make a character difficult; 2..100
   LessonRules lesson;
 
   friend bool operator==(const Settings&, const Settings&) = default;

@@ -21,7 +21,7 @@ enum class DayOutcome : std::uint8_t {
 struct CharacterDay {
   Day day{};
   std::optional<DayOutcome> outcome;  ///< nullopt: practised, not reviewed
-  std::chrono::milliseconds time{0};  ///< all writings together
+  std::chrono::milliseconds time{0};  ///< all writings together, without those with the brush
   int writings = 0;                   ///< in every stage
   int reviews = 0;                    ///< of these from memory
 
@@ -33,7 +33,8 @@ struct CharacterDay {
 class CharacterDays {
  public:
   /// Entries of one character in the order of the log, without those that were undone. A character that was
-  /// marked as known is not new any more, but that makes no study day. Entries other than writings, resets
+  /// marked as known is not new any more, but that makes no study day. A writing with the brush makes a study
+  /// day, but introduces nothing. Entries other than writings, resets
   /// and such marks are ignored.
   void take(const LogEntry& entry);
   /// The days so far, in the order of the log. A day may appear twice.

@@ -41,6 +41,7 @@ struct SessionFeedback {
 
   Kind kind = Kind::ended;
   std::vector<char32_t> characters;
+  study::Stage stage = study::Stage::memory;  ///< `brush`: of the reviews with the brush
   study::Rating rating = study::Rating::good;
   study::Card card;    ///< after the rating
   study::Time now{};   ///< of the rating

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "nazori/widgets/controls/action_set.h"
 
 namespace nazori::ui {
@@ -16,6 +18,12 @@ class BrushActions final : public ActionSet {
   QAction *undo, *redo, *dry, *new_sheet, *next_paper, *describe, *advice, *save_png, *carve, *tools;
   QAction *model_none, *model_beneath, *model_beside, *next_ruling, *next_font, *model_text, *next_model,
       *previous_model;
+  // Reviews with the brush.
+  QAction *review, *go_on, *skip, *undo_rating, *end;
+  std::array<QAction*, 4> rate;  ///< in the order of study::kRatings
+
+  /// Gives keys and menu entries to what can be done in a session. @param advised  a rating is due.
+  void show_session(bool is_running, bool advised);
 };
 
 }  // namespace nazori::ui

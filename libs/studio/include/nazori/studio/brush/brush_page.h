@@ -18,6 +18,7 @@
 namespace nazori::ui {
 
 class BrushActions;
+class BrushReviewBar;
 class BrushToolsPanel;
 
 /// The page for writing with a brush: a sheet of paper with ink that spreads, a model, and the tools beside
@@ -109,6 +110,21 @@ class BrushPage final : public Page {
   [[nodiscard]] std::vector<char32_t> models() const;
   [[nodiscard]] QString model_words() const;
   [[nodiscard]] QString sheet_words() const;
+  // Reviews with the brush (brush_reviews.cpp).
+  void connect_reviews();
+  void start_reviews();
+  void show_reviews();
+  /// A new sheet for the character that is to be written.
+  void take_character();
+  void end_reviews();
+  /// The next step of a session: advice, or the suggested rating.
+  void go_on();
+  /// Strokes were compared while a session waits for that.
+  void judge(const calligraphy::CharacterAdvice& advice);
+  void note_strokes(int strokes);
+  [[nodiscard]] bool reviews() const;
+  /// As chosen, in a session for one character.
+  [[nodiscard]] int ruling() const { return reviews() ? 1 : choice_.ruling; }
   void ask_and_write(const QString& suffix);
   void show_tablet(const calligraphy::Outcome& outcome);
 
@@ -116,12 +132,15 @@ class BrushPage final : public Page {
   QWidget* widget_;
   PaperView* paper_;
   BrushToolsPanel* panel_;
+  BrushReviewBar* bar_;
   Choice choice_;
   QString file_;
   bool entered_ = false;
   bool closes_when_saved_ = false;
   bool starts_ = false;      ///< the first ink is chosen, which is not announced
   bool warned_dry_ = false;  ///< said once for each time that the brush runs dry
+  bool is_quiet_ = false;    ///< the new sheet was not asked for by the learner, which is not announced
+  int strokes_ = 0;          ///< on the sheet, in the last frame
   int part_ = 0;             ///< of a model text that needs several sheets
   std::map<char32_t, kanji::Character> characters_;
   std::optional<std::vector<author::BrushFont>> fonts_;       ///< that are installed, once this is known

@@ -8,6 +8,8 @@
 
 #include "nazori/author/font_model.h"
 #include "nazori/calligraphy/sheet_editor.h"
+#include "nazori/practice/brush_session.h"
+#include "nazori/studio/brush/paper_view.h"
 
 namespace nazori::ui {
 
@@ -27,6 +29,8 @@ namespace nazori::ui {
 [[nodiscard]] QString brush_words(const calligraphy::SheetState& state);
 /// What is on the paper: "3 strokes, wet."
 [[nodiscard]] QString paper_words(const calligraphy::SheetState& state);
+/// The model of a review, by its place.
+[[nodiscard]] practice::BrushModel brush_model_of(ModelPlace place);
 /// The sentence after undo and redo.
 [[nodiscard]] QString undo_words(calligraphy::Edit edit, int strokes);
 [[nodiscard]] QString redo_words(calligraphy::Edit edit, int strokes);

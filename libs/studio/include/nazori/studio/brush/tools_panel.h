@@ -50,6 +50,8 @@ class BrushToolsPanel final : public QScrollArea {
   /// Sentences of advice; none: takes them away.
   void show_advice(const QStringList& sentences);
   void focus_text();
+  /// Whether ruling and text of the model can be chosen.
+  void set_model_free(bool is_free);
 
   [[nodiscard]] QSize sizeHint() const override;
 

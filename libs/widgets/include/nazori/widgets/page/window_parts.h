@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <utility>
 
+#include "nazori/practice/brush_session.h"
 #include "nazori/practice/character_library.h"
 #include "nazori/practice/character_practice.h"
 #include "nazori/practice/learner.h"
@@ -47,6 +48,8 @@ class WindowParts final : public QObject {
   [[nodiscard]] practice::LearnerExchange& exchange() { return exchange_; }
   [[nodiscard]] practice::SettingsChange& settings_change() { return settings_change_; }
   [[nodiscard]] practice::StudySession& session() { return session_; }
+  /// Reviews with the brush.
+  [[nodiscard]] practice::BrushSession& brush_session() { return brush_session_; }
   /// The test of what the learner can write already.
   [[nodiscard]] practice::PlacementRun& placement() { return placement_; }
   /// The back ends for haptic devices. The caller opens and owns them.
@@ -75,6 +78,8 @@ class WindowParts final : public QObject {
   void open_left_panel();
   /// Goes to another page, by its id. An id that is not registered changes nothing.
   void go_to(QString page);
+  /// From any page: goes to the page for the brush and begins, or goes on with, the reviews there.
+  void review_with_brush();
   /// From any page: goes to the page for characters and shows this one.
   void show_character(char32_t code_point);
   /// The study settings that concern the window have changed: keys, layout, questions.
@@ -102,6 +107,7 @@ class WindowParts final : public QObject {
   QTimer day_timer_;
   base::SystemClock clock_;
   practice::StudySession session_{learner_, clock_};
+  practice::BrushSession brush_session_{learner_, clock_};
   practice::PlacementRun placement_{learner_, tablet_, judge_, clock_};
   practice::CharacterPractice practice_;
   devices::TabletDevice::BackEnds back_ends_;

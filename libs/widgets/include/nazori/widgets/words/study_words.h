@@ -23,8 +23,10 @@ class StudyWords {
   [[nodiscard]] static QString stage(study::Stage stage);  ///< "Trace"
   /// When a card comes again: "in 10 minutes", "tomorrow", "in 4 days", "in 3 months".
   [[nodiscard]] static QString comes_again(const study::Card& card, study::Time now, study::Day today);
+  [[nodiscard]] static QString comes_again(const study::ReviewDelay& delay);
   /// The same where there is little room: "10 min", "1 d", "4 d", "3 mo".
   [[nodiscard]] static QString comes_again_short(const study::Card& card, study::Time now, study::Day today);
+  [[nodiscard]] static QString comes_again_short(const study::ReviewDelay& delay);
   /// "about 4 minutes", "about half a minute".
   [[nodiscard]] static QString about(std::chrono::milliseconds time);
   /// A day by the language of the interface: "Tuesday 24 November".
