@@ -243,7 +243,7 @@ base::Result<char32_t> Collection::keep(const OwnCharacter& character, std::opti
       return base::fail(Errc::in_use, "is the name of a character that is kept already", character.facts.name,
                         "replace it, or keep both");
   }
-  const auto place = as ? base::Result<char32_t>(*as) : free_place(character);
+  auto place = as ? base::Result<char32_t>(*as) : free_place(character);
   if (!place) return place;
   if (auto saved = save_character(character, file_of(*place)); !saved)
     return tl::unexpected(std::move(saved.error()));

@@ -114,8 +114,9 @@ GlyphLine relaxed(const GlyphLine& line, const std::vector<std::optional<double>
   constexpr double kStay = 0.002;
   constexpr double kEnd = 8.0;
   const auto count = static_cast<int>(line.size());
+  const int unknowns = 2 * count;
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * count);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
   const auto pull = [&](int i, GlyphPoint direction, double goal, double weight) {
     const double n[2] = {direction.x, direction.y};
     for (int a = 0; a < 2; ++a) {
@@ -147,14 +148,16 @@ GlyphLine relaxed(const GlyphLine& line, const std::vector<std::optional<double>
   };
   draw(0, start);
   draw(count - 1, end);
-  Eigen::SparseMatrix<double> left(2 * count, 2 * count);
+  Eigen::SparseMatrix<double> left(unknowns, unknowns);
   left.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(left);
   const Eigen::VectorXd moved = solver.solve(right);
   GlyphLine out = line;
-  for (int i = 0; i < count; ++i)
-    out[static_cast<std::size_t>(i)] =
-        line[static_cast<std::size_t>(i)] + GlyphPoint{moved[2 * i], moved[2 * i + 1]};
+  Eigen::Index x = 0;
+  for (GlyphPoint& point : out) {
+    point = point + GlyphPoint{moved[x], moved[x + 1]};
+    x += 2;
+  }
   return out;
 }
 
