@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "own_rows.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "nazori/kanji/schema.h"
@@ -31,16 +34,16 @@ class RowWriter {
 void make_views(SQLite::Database& db) {
   // In memory: the program may not be able to write anywhere.
   db.exec("PRAGMA temp_store = MEMORY");
-  constexpr std::array kTables{"character", "reading", "meaning", "reading_key", "meaning_key", "element_of"};
-  for (const char* const name : kTables) {
-    const std::string table(name);
+  constexpr std::array<std::string_view, 6> kTables{"character",   "reading",     "meaning",
+                                                    "reading_key", "meaning_key", "element_of"};
+  for (const std::string_view table : kTables) {
     // A temporary view is found before a table of the file that has the same name.
-    db.exec("CREATE TEMP TABLE own_" + table + " AS SELECT * FROM main." + table + " WHERE false");
+    db.exec(fmt::format("CREATE TEMP TABLE own_{0} AS SELECT * FROM main.{0} WHERE false", table));
     // A form that takes the place of a published character brings that one's row with it.
-    const std::string others =
+    const std::string_view others =
         table == "character" ? " WHERE code_point NOT IN (SELECT code_point FROM own_character)" : "";
-    db.exec("CREATE TEMP VIEW " + table + " AS SELECT * FROM main." + table + others +
-            " UNION ALL SELECT * FROM own_" + table);
+    db.exec(fmt::format("CREATE TEMP VIEW {0} AS SELECT * FROM main.{0}{1} UNION ALL SELECT * FROM own_{0}",
+                        table, others));
   }
 }
 

@@ -183,7 +183,7 @@ std::string KanjiDatabase::Inside::matching_reading(char32_t code_point, std::st
   Rewound row(readings);
   row->bind(1, static_cast<std::int64_t>(code_point));
   while (row->executeStep()) {
-    const std::string text = row.text(1);
+    std::string text = row.text(1);
     if (fold_reading(text) == key || fold_reading(text.substr(0, text.find('.'))) == key) return text;
   }
   return std::string(key);
@@ -194,7 +194,7 @@ std::string KanjiDatabase::Inside::matching_meaning(char32_t code_point, std::st
   row->bind(1, static_cast<std::int64_t>(code_point));
   while (row->executeStep()) {
     if (row.text(0) != "en") continue;
-    const std::string text = row.text(1);
+    std::string text = row.text(1);
     const std::string folded = fold_meaning(text);
     if (folded == key || (folded.ends_with(key) && folded[folded.size() - key.size() - 1] == ' '))
       return text;
