@@ -126,11 +126,12 @@ Answer answer_to(const LoadRequest& request, const path& /*own_characters*/, Rec
 }  // namespace
 
 struct TabletWorkshop::Inside {
-  Inside(TabletWorkshop& workshop, base::Inbox& inbox, const path& own_characters)
+  Inside(TabletWorkshop& workshop, base::Inbox& inbox, path own_characters)
       : background(std::make_shared<base::Background>("workshop", inbox)),
         latest(
             background,
-            [own_characters, recent = std::make_shared<Recent>()](const Request& request, const auto&) {
+            [own_characters = std::move(own_characters), recent = std::make_shared<Recent>()](
+                const Request& request, const auto&) {
               return std::visit([&](const auto& one) { return answer_to(one, own_characters, *recent); },
                                 request);
             },
@@ -155,7 +156,7 @@ base::Result<TabletWorkshop::GridGuess> TabletWorkshop::guess_grid(
 }
 
 TabletWorkshop::TabletWorkshop(base::Inbox& inbox, path own_characters)
-    : inside_(std::make_unique<Inside>(*this, inbox, own_characters)) {}
+    : inside_(std::make_unique<Inside>(*this, inbox, std::move(own_characters))) {}
 
 TabletWorkshop::~TabletWorkshop() = default;
 
