@@ -461,7 +461,7 @@ Change layer_change(EditKind kind, const HandLayer& before, HandLayer after, con
 CharacterEditor::Touched CharacterEditor::use_tool(ReliefTool tool, const ToolSettings& settings,
                                                    const geometry::WrittenStroke<geometry::GlyphFrame>& pen) {
   HandLayer hand = resampled(character_.hand, map_.size());
-  const auto box = author::use_tool(tool, settings, pen, map_, hand);
+  auto box = author::use_tool(tool, settings, pen, map_, hand);
   if (!box || box->is_empty()) return box;
   return apply(layer_change(kind_of(tool), character_.hand, std::move(hand), *box));
 }
@@ -470,7 +470,7 @@ CharacterEditor::Touched CharacterEditor::press_stamp(const surface::HeightMap& 
                                                       const StampSettings& settings,
                                                       geometry::GlyphPoint at) {
   HandLayer hand = resampled(character_.hand, map_.size());
-  const auto box = author::press_stamp(stamp, settings, at, map_, hand);
+  auto box = author::press_stamp(stamp, settings, at, map_, hand);
   if (!box || box->is_empty()) return box;
   return apply(layer_change(EditKind::stamp, character_.hand, std::move(hand), *box));
 }
