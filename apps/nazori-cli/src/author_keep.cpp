@@ -114,6 +114,8 @@ int keep(Console& console, const AuthorKeepSettings& s) {
     if (!place) return console.refuse(place.error());
     const auto kept =
         collection().keep(character, *place, s.beside ? author::SameName::beside : author::SameName::refuse);
+    // Another program has kept one of this name meanwhile.
+    if (!kept && kept.error().where == character.facts.name) return console.deny(kept.error());
     if (!kept) return console.refuse(kept.error());
     const auto& instead_of = character.facts.instead_of;
     Json one = kept_to_json(*kept, character.facts.name, character.strokes.size(), instead_of);

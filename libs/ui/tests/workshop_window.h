@@ -10,6 +10,7 @@
 #include "characters/characters.h"
 #include "nazori/studio/workshop/character_canvas.h"
 #include "nazori/studio/workshop/workshop_page.h"
+#include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
