@@ -249,6 +249,7 @@ TEST_F(BrushSessionTest, MistakesOfTheBrushAreNotAmongThoseOfTheStylus) {
     clock_.advance(days(1));
   }
   EXPECT_EQ(last_writing(U'一').writing.result.mistakes.size(), 3U);
+  EXPECT_EQ(last_writing(U'一').writing.proposed, Rating::again);
   EXPECT_THAT(hard_strokes(*learner_, U'一', 3), IsEmpty());
   const auto trouble = stroke_trouble(learner_->store(), U'一', study::kFirstDay);
   ASSERT_TRUE(trouble);

@@ -10,6 +10,7 @@
 #include "nazori/study/learner_store.h"
 #include "nazori/study/statistics.h"
 #include "nazori/widgets/page/window_parts.h"
+#include "nazori/widgets/words/kanji_text.h"
 #include "study/home.h"
 
 namespace nazori::ui {
