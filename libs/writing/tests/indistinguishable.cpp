@@ -22,6 +22,8 @@ constexpr Spoilt kMostlyKick[] = {
 constexpr Spoilt kProportions[] = {
     {U'T', 2}, {U'i', 1}, {U'j', 1}, {U'r', 1}, {U'了', 2}, {U'冖', 2}, {U'厂', 2},
 };
+// The dot of a kana without the turn at its end is so short that it may be a touch.
+constexpr Spoilt kDotsWithATurn[] = {{U'や', 2}};
 // A comma is so small that its tail shows no direction.
 constexpr Spoilt kSpecks[] = {{U',', 1}, {U';', 2}};
 // clang-format on
@@ -52,6 +54,7 @@ std::vector<Spoilt> listed_as_mostly_kick() { return {std::begin(kMostlyKick), s
 std::vector<Spoilt> listed_as_shortened() {
   std::vector<Spoilt> all(std::begin(kMostlyKick), std::end(kMostlyKick));
   all.insert(all.end(), std::begin(kProportions), std::end(kProportions));
+  all.insert(all.end(), std::begin(kDotsWithATurn), std::end(kDotsWithATurn));
   return all;
 }
 
@@ -88,7 +91,7 @@ bool indistinguishable_shortened(const kanji::KanjiDatabase& database, const kan
   // The source has a form whose stroke is that much shorter: the inner bars of 日 that do not reach the
   // right.
   return shorter_in_a_variant(database, character, k) || listed(kMostlyKick, character.code_point, k) ||
-         listed(kProportions, character.code_point, k);
+         listed(kProportions, character.code_point, k) || listed(kDotsWithATurn, character.code_point, k);
 }
 
 }  // namespace nazori::writing::test
