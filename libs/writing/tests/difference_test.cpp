@@ -341,7 +341,10 @@ TEST(Judgement, SumsSquares) {
   proportion.proportion = 0.1F;
   EXPECT_NEAR(judge(proportion, {}, {}, {}, 14).deviation, 4 * once, 1e-6);
   const auto with = [](Residue r) { return judge(of_length(60), {}, r, {}, 14).deviation; };
-  EXPECT_NEAR(with({0, 0.1F, 0}), 4 * with({0, 0.05F, 0}), 1e-6);
+  const double trembling = 0.8 / 63;  // 0.8 glyph units of 60, and a little
+  EXPECT_EQ(with({0, static_cast<float>(0.99 * trembling), 0}), 0);
+  const auto beyond = [trembling](double bend) { return bend * bend - trembling * trembling; };
+  EXPECT_NEAR(with({0, 0.1F, 0}) / with({0, 0.05F, 0}), beyond(0.1) / beyond(0.05), 1e-4);
   EXPECT_NEAR(with({0, 0, 8}), 4 * with({0, 0, 4}), 1e-6);
   EXPECT_NEAR(with({0, 0.1F, 8}), with({0, 0.1F, 0}) + with({0, 0, 8}), 1e-6);
   EXPECT_EQ(with({0.4F, 0, 0}), 0) << "the turn is in the course";
