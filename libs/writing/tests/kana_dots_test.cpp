@@ -99,6 +99,17 @@ TEST(JudgedStroke, TakesTheBestOfItsWays) {
   EXPECT_EQ(judge_stroke(plain, hooked, std::array{upright}, d, here).deviation, alone);
 }
 
+TEST(JudgedStroke, AWayInTheOtherDirectionIsNotTaken) {
+  const auto hooked = shape_of({40, 60, 52}, {15, 20, 26});
+  const auto plain = shape_of({40, 60}, {15, 20});
+  constexpr float kFar = 1e9F;
+  auto d = compare(plain, hooked, kFar);
+  d.reversed = true;
+  const double alone = judge_stroke(plain, hooked, {}, d, {}).deviation;
+  EXPECT_GT(alone, 1);
+  EXPECT_EQ(judge_stroke(plain, hooked, std::array{plain}, d, {}).deviation, alone);
+}
+
 TEST(JudgedStroke, TheUseOfAFreeSlantCostsHalfTheLimit) {
   auto dot = shape_of({40, 54}, {10, 24});
   const auto upright = shape_of({47, 47}, {8, 26});
