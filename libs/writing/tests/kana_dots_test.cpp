@@ -99,6 +99,22 @@ TEST(JudgedStroke, TakesTheBestOfItsWays) {
   EXPECT_EQ(judge_stroke(plain, hooked, std::array{upright}, d, here).deviation, alone);
 }
 
+TEST(JudgedStroke, IsComparedWithAnotherWayAsIfThatWereTheModel) {
+  auto hooked = shape_of({40, 60, 52}, {15, 20, 26});
+  hooked.body.reset();  // as of a stroke that the source does not call a hook
+  const auto plain = shape_of({40, 60}, {15, 20});
+  const auto short_one = shape_of({45, 56}, {17, 20});
+  constexpr float kFar = 1e9F;
+  const auto of_model = compare(short_one, hooked, kFar);
+  const auto of_way = compare(short_one, plain, kFar);
+  ASSERT_LT(of_model.length_log, of_way.length_log - 0.3F);
+  const auto beside = [](const StrokeDifference& d) {
+    return Placement{d.offset_x, d.offset_y, d.length_log};
+  };
+  EXPECT_NEAR(judge_stroke(short_one, hooked, std::array{plain}, of_model, beside(of_model)).deviation,
+              judge_stroke(short_one, plain, {}, of_way, beside(of_way)).deviation, 1e-5);
+}
+
 TEST(JudgedStroke, AWayInTheOtherDirectionIsNotTaken) {
   const auto hooked = shape_of({40, 60, 52}, {15, 20, 26});
   const auto plain = shape_of({40, 60}, {15, 20});
