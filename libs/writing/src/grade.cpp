@@ -14,7 +14,6 @@
 #include "model_inside.h"
 #include "placement.h"
 #include "probability.h"
-#include "residue.h"
 #include "standing_out.h"
 #include "stroke_order_mistakes.h"
 
@@ -58,10 +57,10 @@ const std::vector<kanji::AlternativeOrder> no_orders;
 /// deviations, summed): in careful writing a stroke that is off is wrong; in hasty writing all are a little
 /// off.
 double allowance(double roughness, std::size_t count) {
-  constexpr double kUsual = 0.06;
-  constexpr double kUsualCount = 10.5;
+  constexpr double kUsual = 0.095;
+  constexpr double kUsualCount = 9.3;
   const double mean = (roughness + kUsualCount * kUsual) / (static_cast<double>(count) + kUsualCount);
-  return std::clamp(0.64 + 3 * mean, 0.5, 1.5);
+  return std::clamp(0.525 + 2.4 * mean, 0.5, 1.5);
 }
 
 int points_of(const ScoreParts& p) {
@@ -110,11 +109,9 @@ class Judge {
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
       const auto& link = alignment_.links[k];
       const auto& model = form_.shapes[static_cast<std::size_t>(link.model)];
-      auto difference = link.difference;
-      auto left = residue(transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map), model,
-                          difference, places[k]);
-      if (model.free_slant) ignore_slant(model.whole, difference, left);
-      judgements.push_back(judge(difference, places[k], left, model.touch));
+      const auto laid = transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map);
+      judgements.push_back(judge_stroke(laid, model, form_.other_ways[static_cast<std::size_t>(link.model)],
+                                        link.difference, places[k]));
       roughness += std::sqrt(std::min(judgements.back().deviation, 1.0));
     }
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {

@@ -8,23 +8,29 @@ namespace nazori::writing {
 
 // The weights, rounded, separate strokes of real writing best from wrong strokes in their places;
 // docs/writing.md names the data and the figures.
-Judgement judge(const StrokeDifference& d, const Placement& placement, const Residue& residue, float touch) {
-  constexpr double kLimit = 6.3;
+Judgement judge(const StrokeDifference& d, const Placement& placement, const Residue& residue,
+                const Course& course, float touch) {
   const double length = static_cast<double>(d.model_length);
   const double shortness = 1 / (length + 3);
-  // 1 for a dot, 0 for a long stroke: the position of a dot varies more.
+  // 1 for a dot, 0 for a long stroke: dots vary more in place, and less in bends.
   const double dot = std::exp(-(length / 17) * (length / 17));
+  const auto between = [dot](double of_long, double of_dot) { return of_long + (of_dot - of_long) * dot; };
   const auto square = [](auto v) { return static_cast<double>(v * v); };
   const double off = square(d.offset_x) + square(d.offset_y);
   const double off_beside = square(placement.x) + square(placement.y);
-  const double place = (0.51 * off + (2.0 - 1.73 * dot) * off_beside) / 100;
+  const double place = (0.152 * off + between(0.143, 0) * off_beside) / 100;
   // Quick dots fall steeper than the model's; hardly any is flatter.
   const double steeper = std::clamp(static_cast<double>(d.steeper), -0.5, 0.5);
   const double freedom = static_cast<double>(d.freedom) * (1 + 0.46 * dot * steeper);
-  const double proportion = static_cast<double>(d.proportion) / (freedom * (0.074 + 0.21 * shortness));
-  const double turn =
-      std::min(std::abs(static_cast<double>(residue.turn_rad)), 1.5) / (freedom * (1.44 + 4.0 * shortness));
-  const double bend = static_cast<double>(residue.bend) / (0.07 + 1.05 * shortness);
+  const double usual = freedom * (0.074 + 0.21 * shortness);
+  const double proportion = static_cast<double>(d.proportion) / usual;
+  const double wide = 1 + 12 * shortness;
+  const double chord = static_cast<double>(course.chord_turn) / (0.27 * freedom * wide);
+  const double along = static_cast<double>(course.along) / (0.06 * freedom * freedom * wide);
+  // A pen trembles by as much in a dot as in a long stroke.
+  const double tremble = 0.8 * shortness;
+  const double bent = std::max(square(residue.bend) - square(tremble), 0.0);
+  const double bend = bent / square(0.07 + 1.05 * shortness);
   const double end = static_cast<double>(residue.nearer_end) / 10;
   // A dot may be as short as a touch.
   const double free_length = std::exp(-std::pow(length / static_cast<double>(touch), 4));
@@ -32,11 +38,13 @@ Judgement judge(const StrokeDifference& d, const Placement& placement, const Res
   // An intended stroke is hardly ever only half as long as it should be.
   const double beyond = std::clamp(-static_cast<double>(placement.length_log) - 0.7, 0.0, 0.5);
   const double size_part =
-      (1 - free_length) * (3.0 * square(stretch) + 40.0 * square(beyond) * (1 - free_length));
-  const double shape_part = square(proportion) + square(turn) + square(bend) + 0.28 * square(end);
+      (1 - free_length) * (0.35 * square(stretch) + 6.5 * square(beyond) * (1 - free_length));
+  const double shape_part = 0.03 * square(proportion) + between(0.2, 0.3) * square(chord) +
+                            between(0.11, 0.031) * along + between(0.133, 0.874) * bend +
+                            between(0.114, 0.057) * square(end);
   Judgement j;
-  j.place = place / kLimit;
-  j.deviation = (place + size_part + shape_part) / kLimit;
+  j.place = place;
+  j.deviation = place + size_part + shape_part;
   if (place > size_part + shape_part)
     j.most = Deviation::place;
   else if (size_part > shape_part)
@@ -57,11 +65,39 @@ bool is_level_or_upright(const Samples& model, float turn_rad) {
   return std::min(std::abs(across), std::abs(down)) <= kOff * std::hypot(dx, dy);
 }
 
-void ignore_slant(const Samples& model, StrokeDifference& difference, Residue& residue) {
+bool ignore_slant(const Samples& model, Residue& residue, StrokeDifference& difference, Course& course) {
   constexpr float kStraight = 0.05F;
-  if (residue.bend > kStraight || !is_level_or_upright(model, residue.turn_rad)) return;
+  if (residue.bend > kStraight || !is_level_or_upright(model, residue.turn_rad)) return false;
   difference.proportion = std::min(difference.proportion, residue.bend);
   residue.turn_rad = 0;
+  course = {};
+  return true;
+}
+
+Judgement judge_stroke(const Shape& laid, const Shape& model, std::span<const Shape> other_ways,
+                       const StrokeDifference& difference, const Placement& placement) {
+  constexpr double kUsedFreedom = 0.5;
+  auto left = residue(laid, model, difference, placement);
+  auto way = course(laid.whole, model.whole, difference.reversed);
+  auto best = judge(difference, placement, left, way, model.touch);
+  const auto take = [&best](const Judgement& other) {
+    if (other.deviation < best.deviation) best = other;
+  };
+  if (auto free = difference; model.free_slant && ignore_slant(model.whole, left, free, way)) {
+    auto freed = judge(free, placement, left, way, model.touch);
+    freed.deviation += kUsedFreedom;
+    take(freed);
+  }
+  for (const auto& other : other_ways) {
+    constexpr float kAnyDistance = 1e9F;
+    const auto d = compare(laid, other, kAnyDistance);
+    if (d.reversed != difference.reversed) continue;
+    const Placement p{placement.x + d.offset_x - difference.offset_x,
+                      placement.y + d.offset_y - difference.offset_y,
+                      placement.length_log + d.length_log - difference.length_log};
+    take(judge(d, p, residue(laid, other, d, p), course(laid.whole, other.whole, d.reversed), other.touch));
+  }
+  return best;
 }
 
 double deviation_limit(double strictness) {

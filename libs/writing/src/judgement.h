@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
+#include "course.h"
 #include "nazori/writing/grade.h"
 #include "placement.h"
 #include "residue.h"
@@ -16,15 +19,22 @@ struct Judgement {
 };
 
 [[nodiscard]] Judgement judge(const StrokeDifference& difference, const Placement& placement,
-                              const Residue& residue, float touch);
+                              const Residue& residue, const Course& course, float touch);
 
 /// Whether a dot is level or upright once it is turned by `turn_rad` from the model's.
 [[nodiscard]] bool is_level_or_upright(const Samples& model, float turn_rad);
 
-/// Compares a straight dot that is level or upright as if it were turned onto the model's.
+/// Takes out the slant of a straight dot that is level or upright. @return whether it is one.
 /// @source 常用漢字表の字体・字形に関する指針 (2016): the first strokes of 言 and 主 may be level, slanted or
 /// upright.
-void ignore_slant(const Samples& model, StrokeDifference& difference, Residue& residue);
+[[nodiscard]] bool ignore_slant(const Samples& model, Residue& residue, StrokeDifference& difference,
+                                Course& course);
+
+/// Judges a drawn stroke, laid over the model, against the model's stroke, and against other ways to write
+/// it: the best counts. A slant that is free costs a little: a strange stroke uses that freedom more often
+/// than a right one.
+[[nodiscard]] Judgement judge_stroke(const Shape& laid, const Shape& model, std::span<const Shape> other_ways,
+                                     const StrokeDifference& difference, const Placement& placement);
 
 /// The largest deviation that is accepted: 1 at normal strictness. @pre strictness 0..1.
 [[nodiscard]] double deviation_limit(double strictness);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "alignment.h"
+#include "kana_dots.h"
 #include "model_inside.h"
 
 namespace nazori::writing {
@@ -56,7 +57,11 @@ base::Result<Form> make_form(const kanji::Character& character) {
     shape.freedom = two_types ? kFreedomOfTwoTypes : freedom_of_short_strokes(shape.whole);
     // A stroke that the source calls a dot may be a mere touch even if its model is long: those of 心, 小.
     if (stroke.type.starts_with("㇔")) shape.touch = kTouchOfDots;
-    if (stroke.type.empty()) shape.freedom *= kFreedomOfUntyped;
+    auto& ways = form.other_ways.emplace_back();
+    if (stroke.type.empty()) {
+      shape.freedom *= kFreedomOfUntyped;
+      ways = other_ways(character.code_point, form.shapes.size(), shape);
+    }
     // A part that the source does not call a hook belongs to the stroke: the second leg of 糸's first stroke.
     if (stroke.line.ending == kanji::StrokeEnding::stop) shape.body.reset();
     form.shapes.push_back(shape);

@@ -14,7 +14,8 @@ namespace nazori::writing {
 struct Form {
   std::string variant;
   std::vector<Shape> shapes;
-  std::vector<Shape> pairs;  ///< strokes k and k + 1 written without lifting the pen, at k
+  std::vector<std::vector<Shape>> other_ways;  ///< to write each stroke; kana only
+  std::vector<Shape> pairs;                    ///< strokes k and k + 1 written without lifting the pen, at k
   std::vector<kanji::StrokeEnding> endings;
   std::vector<char> free_ending;  ///< the source names two types: both endings are right
 };

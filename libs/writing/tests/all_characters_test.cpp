@@ -237,26 +237,6 @@ TEST_F(AllCharacters, NoneIsListedAsIndistinguishableThatIsTold) {
   }
 }
 
-TEST_F(AllCharacters, WhatIsListedAsMostlyKickHasALastPartOfAFifthOrMore) {
-  // Of the line alone: the straight way is left for good where the rest turns by more than 40 degrees.
-  const auto last_part = [](const geometry::Polyline<geometry::GlyphFrame>& line) {
-    WrittenStroke stroke;
-    for (const auto& p : line) stroke.push_back({{p.x, p.y}});
-    const auto points = geometry::line_of(resampled(stroke, 61));
-    double best = 0;
-    for (std::size_t k = 30; k < 58; ++k) {
-      const auto in = points[k] - points[k - 12];
-      const auto out = points[60] - points[k];
-      const double turn = std::abs(std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y));
-      if (turn > 0.7) best = std::max(best, static_cast<double>(60 - k) / 60);
-    }
-    return best;
-  };
-  for (const auto& [character, stroke] : listed_as_mostly_kick())
-    EXPECT_GE(last_part(known(character).strokes[stroke - 1].line.points), 0.2)
-        << base::encode_utf8(character) << " stroke " << stroke;
-}
-
 TEST_F(AllCharacters, AreAcceptedElsewhereLargerSlantedAndShaken) {
   // Stated limits: any place and size, 8 degrees of turning, a slant of 0.15, an aspect of 1.2, and 1 % of
   // the box of jitter on 16 points a stroke.

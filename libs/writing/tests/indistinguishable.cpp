@@ -12,16 +12,12 @@ namespace nazori::writing::test {
 namespace {
 
 // clang-format off
-// The kick, or the short second leg, is a large part of the stroke. A small or forgotten kick is forgiven, and
-// a third of the whole is about half of what is then left: short, but no shorter than people write it.
-constexpr Spoilt kMostlyKick[] = {
-    {U'賓', 5}, {U'鷲', 6}, {U'嬪', 8}, {U'寳', 10}, {U'擯', 8}, {U'檳', 9}, {U'殯', 9}, {U'濱', 8}, {U'繽', 11},
-    {U'蹙', 6}, {U'躑', 14}, {U'顰', 5},
-};
 // Few strokes, and this one determines the proportions of the whole: it looks the same as flat writing.
 constexpr Spoilt kProportions[] = {
     {U'T', 2}, {U'i', 1}, {U'j', 1}, {U'r', 1}, {U'了', 2}, {U'冖', 2}, {U'厂', 2},
 };
+// The dot of a kana without the turn at its end is so short that it may be a touch.
+constexpr Spoilt kDotsWithATurn[] = {{U'や', 2}};
 // A comma is so small that its tail shows no direction.
 constexpr Spoilt kSpecks[] = {{U',', 1}, {U';', 2}};
 // clang-format on
@@ -47,11 +43,9 @@ bool shorter_in_a_variant(const kanji::KanjiDatabase& database, const kanji::Cha
 
 }  // namespace
 
-std::vector<Spoilt> listed_as_mostly_kick() { return {std::begin(kMostlyKick), std::end(kMostlyKick)}; }
-
 std::vector<Spoilt> listed_as_shortened() {
-  std::vector<Spoilt> all(std::begin(kMostlyKick), std::end(kMostlyKick));
-  all.insert(all.end(), std::begin(kProportions), std::end(kProportions));
+  std::vector<Spoilt> all(std::begin(kProportions), std::end(kProportions));
+  all.insert(all.end(), std::begin(kDotsWithATurn), std::end(kDotsWithATurn));
   return all;
 }
 
@@ -87,8 +81,8 @@ bool indistinguishable_shortened(const kanji::KanjiDatabase& database, const kan
   if (character.strokes[k].type.starts_with("㇔") && length_of(character.strokes[k]) < kLongDot) return true;
   // The source has a form whose stroke is that much shorter: the inner bars of 日 that do not reach the
   // right.
-  return shorter_in_a_variant(database, character, k) || listed(kMostlyKick, character.code_point, k) ||
-         listed(kProportions, character.code_point, k);
+  return shorter_in_a_variant(database, character, k) || listed(kProportions, character.code_point, k) ||
+         listed(kDotsWithATurn, character.code_point, k);
 }
 
 }  // namespace nazori::writing::test

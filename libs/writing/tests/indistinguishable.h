@@ -17,8 +17,6 @@ struct Spoilt {
 
 /// Those that indistinguishable_shortened() names one by one.
 std::vector<Spoilt> listed_as_shortened();
-/// Those of them whose hook or short last leg is a large part of the stroke.
-std::vector<Spoilt> listed_as_mostly_kick();
 
 /// Stroke `k` drawn backwards.
 bool indistinguishable_reversed(const kanji::Character& character, std::size_t k);

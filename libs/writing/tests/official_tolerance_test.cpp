@@ -168,7 +168,10 @@ TEST(OfficialTolerance, OnlyTheSlantOfAStraightDotThatIsLevelOrUprightIsIgnored)
   const auto freed = [&slanted](Residue left) {
     StrokeDifference d;
     d.proportion = 0.2F;
-    ignore_slant(slanted, d, left);
+    Course way{0.5F, 0.1F};
+    const bool is_free = ignore_slant(slanted, left, d, way);
+    EXPECT_EQ(way.chord_turn, is_free ? 0 : 0.5F);
+    EXPECT_EQ(way.along, is_free ? 0 : 0.1F);
     return std::pair{d.proportion, left.turn_rad};
   };
   const float half = 0.7854F;  // 45 degrees
