@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "change.h"
-#include "hand_layer.h"
 #include "journal.h"
 
 namespace nazori::author {
@@ -44,20 +43,6 @@ Facts renumbered(const Facts& facts, const std::vector<std::vector<int>>& number
     part.strokes = std::move(strokes);
   }
   return out;
-}
-
-EditKind kind_of(ReliefTool tool) {
-  switch (tool) {
-    case ReliefTool::groove:
-      return EditKind::groove;
-    case ReliefTool::raise:
-      return EditKind::raise;
-    case ReliefTool::smooth:
-      return EditKind::smooth;
-    case ReliefTool::erase:
-      return EditKind::erase;
-  }
-  return EditKind::none;
 }
 
 /// A change of one stroke.
@@ -442,56 +427,6 @@ CharacterEditor::Touched CharacterEditor::set_facts(Facts facts) {
                   "keep licence, author and source");
   if (facts == character_.facts) return GridBox{};
   return apply({.kind = EditKind::set_facts, .facts = std::move(facts)});
-}
-
-namespace {
-
-/// The change from one layer to another that differs in a box.
-Change layer_change(EditKind kind, const HandLayer& before, HandLayer after, const GridBox& box) {
-  Change change{.kind = kind};
-  if (before.is_untouched() || before.size == after.size)
-    change.patch = Change::Patch{box, after.size, cut_out(after, box)};
-  else
-    change.layer = std::move(after);
-  return change;
-}
-
-}  // namespace
-
-CharacterEditor::Touched CharacterEditor::use_tool(ReliefTool tool, const ToolSettings& settings,
-                                                   const geometry::WrittenStroke<geometry::GlyphFrame>& pen) {
-  HandLayer hand = resampled(character_.hand, map_.size());
-  auto box = author::use_tool(tool, settings, pen, map_, hand);
-  if (!box || box->is_empty()) return box;
-  return apply(layer_change(kind_of(tool), character_.hand, std::move(hand), *box));
-}
-
-CharacterEditor::Touched CharacterEditor::press_stamp(const surface::HeightMap& stamp,
-                                                      const StampSettings& settings,
-                                                      geometry::GlyphPoint at) {
-  HandLayer hand = resampled(character_.hand, map_.size());
-  auto box = author::press_stamp(stamp, settings, at, map_, hand);
-  if (!box || box->is_empty()) return box;
-  return apply(layer_change(EditKind::stamp, character_.hand, std::move(hand), *box));
-}
-
-CharacterEditor::Touched CharacterEditor::load_relief(const surface::HeightMap& map) {
-  if (!map.is_loaded()) return refuse("is empty", "map");
-  if (map.size() > map_.size())
-    return refuse("has more samples than the tablet", "map",
-                  "give at most " + std::to_string(map_.size()) + " a side");
-  const auto strokes = carving::carve_grooves(grooves_of(character_.strokes), map.size());
-  if (!strokes) return tl::unexpected(strokes.error());
-  HandLayer layer{map.size(), {}};
-  layer.heights.reserve(map.samples().size());
-  for (std::size_t i = 0; i < map.samples().size(); ++i)
-    layer.heights.push_back(map.samples()[i] - strokes->samples()[i]);
-  return apply({.kind = EditKind::load_relief, .layer = std::move(layer)});
-}
-
-CharacterEditor::Touched CharacterEditor::clear_relief() {
-  if (character_.hand.is_untouched()) return GridBox{};
-  return apply({.kind = EditKind::clear_relief, .layer = HandLayer{}});
 }
 
 }  // namespace nazori::author
