@@ -208,6 +208,7 @@ class Schemas(unittest.TestCase):
         for day in "2026-01-02", "2026-01-03":
             study("review", "review", "木", "--score", "72", "--fault", "wrong:3", "--seconds", "9", now=day + "T09:00:00Z")
         study("review", "review", "本", "--stage", "trace")
+        study("review", "review", "休", "--stage", "brush", "--rating", "good")
         study("cards", "postpone", "休", "--days", "2")
         study("cards", "know", "日", "月")
         study("cards", "pause", "本")

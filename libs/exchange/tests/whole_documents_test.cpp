@@ -129,9 +129,24 @@ TEST(WholeDocument, OfACard) {
                   R"("retrievability":0.75,"scheduled_days":13,"due":"2026-02-03T04:05:06.000Z",)"
                   R"("due_day":"2026-02-04","reps":5,"lapses":2,"introduced":"2026-01-02",)"
                   R"("postponed_until":"2026-02-05","paused":true,"leech":false,"next_stage":"guided",)"
-                  R"("help":0.5})");
+                  R"("help":0.5,"brush":null})");
+  card.brush.memory = card.memory;
+  card.brush.memory.stability = 3.5;
+  card.brush.memory.reps = 2;
+  card.brush.memory.lapses = 1;
+  card.brush.last_day = day("2026-01-30");
+  card.brush.due_day = day("2026-02-06");
+  json = to_json(card, *learner);
+  EXPECT_EQ(to_line(json["brush"]),
+            R"({"stability":3.5,"difficulty":6.25,"scheduled_days":13,"last_day":"2026-01-30",)"
+            R"("due_day":"2026-02-06","reps":2,"lapses":1})");
   const auto read = read_card(json);
   ASSERT_TRUE(read) << base::to_line(read.error());
+  EXPECT_EQ(read->card.brush.memory.phase, study::Phase::review);
+  EXPECT_EQ(read->card.brush.memory.stability, 3.5);
+  EXPECT_EQ(read->card.brush.memory.reps, 2);
+  EXPECT_EQ(read->card.brush.last_day, card.brush.last_day);
+  EXPECT_EQ(read->card.brush.due_day, card.brush.due_day);
   EXPECT_EQ(read->card.due_day, card.due_day);
   EXPECT_EQ(read->card.introduced, card.introduced);
   EXPECT_EQ(read->card.postponed_until, card.postponed_until);
@@ -206,6 +221,8 @@ TEST(WholeDocument, OfAPlan) {
   plan.leeches = {U'鬱'};
   plan.reviews_done = 4;
   plan.new_done = 5;
+  plan.brush_done = 1;
+  plan.brush = {U'永', U'水'};
   plan.held_back = 6;
   plan.estimate = milliseconds(7000);
   plan.gentle = study::GentlePlan{9, 8, 10, day("2026-02-11")};
@@ -218,8 +235,9 @@ TEST(WholeDocument, OfAPlan) {
   EXPECT_EQ(
       to_line(to_json(plan)),
       R"({"day":"2026-02-01","steps":1,"reviews":2,"new":3,"held_back":6,"reviews_done":4,"new_done":5,)"
+      R"("brush_done":1,)"
       R"("estimate_ms":7000,"gentle_plan":{"overdue":9,"per_day":8,"days":10,"last_day":"2026-02-11"},)"
-      R"("leeches":["鬱"],"now":[)" +
+      R"("brush":["永","水"],"leeches":["鬱"],"now":[)" +
           a_step + "," + a_review + "," + a_review + "," + a_fresh + "," + a_fresh + "," + a_fresh +
           R"(],"later_today":[)" + a_step + "]}");
 }

@@ -16,7 +16,8 @@ using testing::HasSubstr;
 TEST(NamedValues, AreThoseWithAName) {
   EXPECT_EQ(value_of<Stage>(0), Stage::watch);
   EXPECT_EQ(value_of<Stage>(3), Stage::memory);
-  for (const std::int64_t none : {-1L, 4L, 255L, 256L, 259L})
+  EXPECT_EQ(value_of<Stage>(4), Stage::brush);
+  for (const std::int64_t none : {-1L, 5L, 255L, 256L, 259L})
     EXPECT_EQ(value_of<Stage>(none), std::nullopt) << none;
   EXPECT_EQ(value_of<Rating>(0), std::nullopt);
   EXPECT_EQ(value_of<Rating>(257), std::nullopt);
