@@ -268,6 +268,10 @@ TEST(OwnForm, LosesTheOtherOrdersWithAnotherOrderDirectionOrCount) {
   EXPECT_EQ(changed(one).strokes[0].type, find(U'一').strokes[0].type);
   std::ranges::reverse(one.strokes[0].line.points);
   EXPECT_EQ(changed(one).strokes[0].type, "");
+  Character three = corrected(U'三');
+  EXPECT_EQ(changed(three).strokes[0].type, find(U'三').strokes[0].type);
+  std::swap(three.strokes[0], three.strokes[1]);
+  EXPECT_EQ(changed(three).strokes[0].type, "") << "of the same kind, in another order";
   Character shorter = form;
   shorter.strokes.pop_back();
   EXPECT_THAT(changed(shorter).alternative_orders, IsEmpty());
