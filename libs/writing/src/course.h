@@ -9,7 +9,7 @@ namespace nazori::writing {
 struct Course {
   float chord_turn = 0;  ///< radians between the lines from start to end, by how straight the less straight
                          ///< of the two is: 0 where either is closed
-  float along = 0;  ///< mean of 1 - cos of the difference of the directions, 0..2, once both are aligned
+  float along = 0;       ///< mean of 1 - cos of the difference of the directions, 0..2, once both are aligned
 };
 
 /// The courses of two strokes, in the direction of the model. They are aligned step by step: a corner that

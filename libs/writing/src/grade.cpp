@@ -229,7 +229,8 @@ class Judge {
   /// A right stroke of a strange length, slant or place is told; one that is far too short is refused. Only
   /// the whole character shows how long a stroke should be.
   void judge_standing_out() {
-    if (options_.unfinished) return;
+    const bool is_refused_variant = is_other_form_ && !grade_.mistakes.empty();  // nobody sees its advice
+    if (options_.unfinished || is_refused_variant) return;
     constexpr double kToleranceOfOtherForm = 0.6;
     const double tolerance =
         std::sqrt(deviation_limit(options_.strictness)) * (is_other_form_ ? kToleranceOfOtherForm : 1);
