@@ -126,7 +126,7 @@ void BrushSession::judge(const std::optional<writing::Grade>& grade, const study
   }
   result_.help = help_of(model_);
   result_.duration = last_stroke_.count() > 0 ? last_stroke_ : elapsed();
-  ink_ = to_handwriting(ink);
+  ink_ = to_saved(ink);
   state_ = State::advised;
   changed();
 }

@@ -33,10 +33,10 @@ study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes) {
   for (const auto& stroke : strokes)
     written.push_back(geometry::in_frame<geometry::GlyphFrame>(
         stroke, [](auto at) { return geometry::tablet_to_glyph(at, geometry::TabletShape{}); }));
-  return to_handwriting(written);
+  return to_saved(written);
 }
 
-study::Handwriting to_handwriting(const study::Handwriting& strokes) {
+study::Handwriting to_saved(const study::Handwriting& strokes) {
   study::Handwriting saved;
   if (strokes.empty() || strokes.front().empty()) return saved;
   const double zero_s = strokes.front().front().time_s.value_or(0);

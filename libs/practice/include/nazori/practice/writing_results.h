@@ -17,6 +17,6 @@ namespace nazori::practice {
 /// The handwriting as the study history saves it, cut to the largest size that can be saved.
 [[nodiscard]] study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes);
 /// The same of handwriting in glyph units.
-[[nodiscard]] study::Handwriting to_handwriting(const study::Handwriting& strokes);
+[[nodiscard]] study::Handwriting to_saved(const study::Handwriting& strokes);
 
 }  // namespace nazori::practice
