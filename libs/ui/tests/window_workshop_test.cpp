@@ -72,7 +72,7 @@ TEST_F(WorkshopWindow, TheReliefIsChangedByHand) {
 
 // What the device feels is the tablet of the window.
 TEST_F(WorkshopWindow, WhatIsMadeIsFeltAfterEachEdit) {
-  const auto feels = [this](std::size_t strokes) {
+  const auto feels = [](std::size_t strokes) {
     return QTest::qWaitFor(
         [&] {
           const auto& felt = workshop_parts->tablet().tablet();
