@@ -181,7 +181,7 @@ TEST_F(ActionTables, WhatStandsInAToolbarHasAPicture) {
   SessionActions session(&window_);
   EXPECT_EQ(with_icons(session), lines("study_start\nstudy_go_on\nstudy_undo"));
   HomeActions home(&window_);
-  EXPECT_EQ(with_icons(home), lines("home_study\nhome_undo"));
+  EXPECT_EQ(with_icons(home), lines("home_study\nhome_brush\nhome_undo"));
   ProgressActions progress(&window_);
   EXPECT_EQ(with_icons(progress), lines("progress_numbers\nprogress_copy"));
 }
@@ -425,6 +425,7 @@ workshop_carve Ctrl+Shift+C
 workshop_export Ctrl+E
 -
 workshop_keep A
+*workshop_instead Shift+A
 workshop_remove_kept Ctrl+Shift+Del
 [Look]
 workshop_zoom_in + =
