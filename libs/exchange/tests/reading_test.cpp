@@ -288,7 +288,8 @@ TEST(ReadCards, WhatIsNoneSaysWhere) {
   };
   EXPECT_EQ(wrong(fine), "read");
   for (const auto& [member, value] : fine.items()) {
-    const bool may_be_missing = member == "due";  // of a new card
+    // Of a new card, and of one written before there were reviews with the brush.
+    const bool may_be_missing = member == "due" || member == "brush";
     EXPECT_EQ(wrong(without(fine, member.c_str())), may_be_missing ? "read" : "line 1, " + member);
   }
   EXPECT_EQ(wrong(with(fine, "state", "asleep")), "line 1, state");
@@ -297,6 +298,10 @@ TEST(ReadCards, WhatIsNoneSaysWhere) {
   EXPECT_EQ(wrong(with(fine, "due_day", "soon")), "line 1, due_day");
   EXPECT_EQ(wrong(with(fine, "help", 1.5)), "line 1, help");
   EXPECT_EQ(wrong(with(fine, "reps", 1.5)), "line 1, reps");
+  for (const auto& [member, value] : fine["brush"].items()) {
+    EXPECT_EQ(wrong(with(fine, "brush", without(fine["brush"], member.c_str()))), "line 1, brush/" + member);
+    EXPECT_EQ(wrong(with(fine, "brush", with(fine["brush"], member.c_str(), -1))), "line 1, brush/" + member);
+  }
 }
 
 }  // namespace
