@@ -90,6 +90,7 @@ TEST_F(WorkshopWindow, WhatIsMadeIsFeltAfterEachEdit) {
   press(Qt::Key_Z, Qt::ControlModifier);
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(feels(0));
+  press(Qt::Key_1);
   drag({20, 40}, {90, 40});
   EXPECT_TRUE(feels(1));
   press(Qt::Key_3);

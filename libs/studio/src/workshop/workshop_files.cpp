@@ -52,8 +52,9 @@ void WorkshopPage::finish_files() {
 
 void WorkshopPage::say_if_slow(const QString& sentence) {
   constexpr std::chrono::milliseconds kSlow{300};
-  QTimer::singleShot(kSlow, this, [this, sentence] {
-    if (files_.is_busy()) parts().announce(Feedback::hint, sentence);
+  // What is slow then may be another file.
+  QTimer::singleShot(kSlow, this, [this, sentence, said = ++slow_files_] {
+    if (said == slow_files_ && files_.is_busy()) parts().announce(Feedback::hint, sentence);
   });
 }
 

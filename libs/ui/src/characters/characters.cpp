@@ -350,8 +350,9 @@ void Characters::connect_work() {
     const char32_t shown = sheet->character.code_point;
     const auto* database = parts().learner().database();
     const auto now = database != nullptr ? database->find(shown) : std::nullopt;
-    if (kanji::is_own(shown) || sheet->character.own_form || (now && now->own_form))
-      practice_.show(shown, false);
+    // One that was taken out stays on the tablet until another is chosen.
+    if (!now) return;
+    if (kanji::is_own(shown) || sheet->character.own_form || now->own_form) practice_.show(shown, false);
   });
   connect(files_, &FileExchange::announced, &parts(), &WindowParts::announce);
   connect(files_, &FileExchange::folder_changed, this, [this](const QString& folder) {

@@ -140,6 +140,7 @@ class WorkshopPage final : public Page {
   author::Tracer tracer_;  // the threads are declared last, so that they end first
   author::CharacterFiles files_;
   practice::FeltRelief felt_;
+  int slow_files_ = 0;  ///< number of the last call of say_if_slow()
 };
 
 }  // namespace nazori::ui
