@@ -132,6 +132,7 @@ kanji::Word plain(const practice::HelpfulWord& helpful) {
 /// "ニン 三人": a word for each reading.
 std::string uses_text(const std::vector<practice::ReadingUse>& uses, int width) {
   std::vector<std::string> items;
+  items.reserve(uses.size());
   for (const auto& use : uses) items.push_back(with_middle_dot(use.reading) + " " + use.word.word.text);
   return field("in words", items, "   ", width);
 }
