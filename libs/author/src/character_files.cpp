@@ -39,10 +39,11 @@ void CharacterFiles::run(Work work, Done done) {
   // Tasks are copied; what is moved between the threads is therefore shared.
   const auto shared_work = std::make_shared<Work>(std::move(work));
   const auto shared_done = std::make_shared<Done>(std::move(done));
-  background_->post([this, shared_work, shared_done] {
+  // An optional that is being destroyed says that it is empty while its thread still finishes.
+  background_->post([this, background = &*background_, shared_work, shared_done] {
     using Made = std::invoke_result_t<Work&>;
     const auto made = std::make_shared<Made>((*shared_work)());
-    background_->answer([this, made, shared_done] {
+    background->answer([this, made, shared_done] {
       --waiting_;
       (*shared_done)(std::move(*made));
     });
