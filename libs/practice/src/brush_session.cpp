@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nazori/practice/writing_results.h"
+#include "undo_last.h"
 
 namespace nazori::practice {
 namespace {
@@ -176,27 +177,18 @@ void BrushSession::skip() {
 }
 
 void BrushSession::undo() {
-  if (!learner_.can_write()) {
-    announce(Kind::not_writable);
-    return;
-  }
-  const auto undone = learner_.store().undo();
-  if (!learner_.report(undone)) return;
-  if (!*undone) {
-    announce(Kind::nothing_to_undo);
-    return;
-  }
-  SessionFeedback event;
-  event.kind = Kind::undone;
-  event.characters = (*undone)->characters;
-  event.entry = (*undone)->kind;
-  announced(event);
+  auto event = undo_last(learner_);
+  if (!event) return;
+  const bool undone = event->kind == Kind::undone;
+  if (!undone) event->stage = study::Stage::brush;
+  announced(*event);
+  if (!undone) return;
   if (!is_running()) return;
   const auto all = due(Kind::plan_lost);
   if (!all) return end();
   left_ = static_cast<int>(all->size());
-  if ((*undone)->characters.size() != 1) return changed();
-  const char32_t back = (*undone)->characters.front();
+  if (event->characters.size() != 1) return changed();
+  const char32_t back = event->characters.front();
   const bool is_due = std::find(all->begin(), all->end(), back) != all->end();
   if (!is_due || back == character_) return changed();
   if (done_ > 0) --done_;

@@ -8,6 +8,7 @@
 
 #include "nazori/base/utf8.h"
 #include "nazori/kanji/kana_sound.h"
+#include "undo_last.h"
 
 namespace nazori::practice {
 namespace {
@@ -265,24 +266,13 @@ void StudySession::go_on() {
 }
 
 void StudySession::undo() {
-  if (!learner_.can_write()) {
-    announce(Kind::not_writable);
-    return;
-  }
-  const auto undone = store().undo();
-  if (!learner_.report(undone)) return;
-  if (!*undone) {
-    announce(Kind::nothing_to_undo);
-    return;
-  }
-  SessionFeedback event;
-  event.kind = Kind::undone;
-  event.characters = (*undone)->characters;
-  event.entry = (*undone)->kind;
-  announce_event(event);
+  const auto event = undo_last(learner_);
+  if (!event) return;
+  if (event->kind != Kind::undone) return announced(*event);
+  announce_event(*event);
   if (!is_running()) return;
-  if ((*undone)->kind != study::EntryKind::leech_met && (*undone)->characters.size() == 1) {
-    const char32_t back = (*undone)->characters.front();
+  if (event->entry != study::EntryKind::leech_met && event->characters.size() == 1) {
+    const char32_t back = event->characters.front();
     const auto card = store().card(back);
     if (back != task_.character && done_ > 0) --done_;
     study::StudyTask task;
