@@ -13,7 +13,7 @@ namespace nazori::kanji {
 /// Characters that people made, by how they are used.
 struct OwnForms {
   std::vector<Character> beside;           ///< the published ones
-  std::map<char32_t, Character> replaced;  ///< in the place of a published one, by its code point
+  std::map<char32_t, Character> replaced;  ///< used instead of a published one, by its code point
 };
 /// Sorts own characters by how they are used. One whose published character is not in the database stands
 /// beside the others.

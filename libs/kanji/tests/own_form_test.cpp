@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forms that people made, in the place of the published ones of the real kanji.db.
+// Forms that people made, used instead of the published ones of the real kanji.db.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

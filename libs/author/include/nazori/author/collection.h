@@ -26,7 +26,7 @@ struct KeptCharacter {
   char32_t code_point = 0;  ///< kanji::is_own()
   std::filesystem::path file;
   OwnCharacter character;
-  /// The published character in whose place it is used. None where it stands beside all others, and where one
+  /// The published character that it replaces. None where it stands beside all others, and where one
   /// that comes before it is used in that place already.
   std::optional<char32_t> instead_of;
 };
@@ -46,8 +46,8 @@ struct CollectionContent {
 /// The own characters that are shown, searched, studied and printed like any other: a folder with one .nazori
 /// file for each, named by its code point ("U+F1A2B.nazori"). A character keeps its code point, by which
 /// study remembers it, for as long as it is kept, also when it is changed. The code point follows from the
-/// name, so that another computer most often gives a character of this name the same one. Of the characters
-/// that are used in the place of the same published one, only one is: what is kept last. Thread rules: any
+/// name, so that another computer most often gives a character of this name the same one. If several
+/// replace the same published character, the one that was kept last does. Thread rules: any
 /// thread, and any number of programs at once: what changes the folder waits for others that do. Not for the
 /// servo thread.
 class Collection {
@@ -67,7 +67,7 @@ class Collection {
   /// One character with all of it. @return Errc::not_found; the errors of load_character().
   [[nodiscard]] base::Result<OwnCharacter> find(char32_t code_point) const;
 
-  /// Keeps a character. One that was used in the place of the same published character stands beside it then.
+  /// Keeps a character. If another one replaced the same published character, that one then stands beside it.
   /// @param as  the code point of a kept character that it replaces; none: it is a new one.
   /// @param same_name  of a new one.
   /// @return its code point; Errc::bad_argument for a character without name or strokes and for `as` that is
@@ -102,7 +102,7 @@ class Collection {
   std::filesystem::path folder_;
 };
 
-/// kanji.db with the characters of a collection, some of them in the place of published ones.
+/// kanji.db with the characters of a collection, some of them instead of published ones.
 /// @param unread  gets what could not be read of the collection; those characters are left out.
 /// @return the errors of KanjiDatabase::open().
 [[nodiscard]] base::Result<kanji::KanjiDatabase> open_with_own(const std::filesystem::path& database,

@@ -59,7 +59,7 @@ struct Facts {
   std::vector<std::string> meanings;
   std::vector<OwnPart> parts;
   std::optional<int> radical;  ///< classical radical, 1..214
-  /// The published character in whose place it is used when it is kept; none: it stands beside all others.
+  /// The published character that it replaces once it is kept; none: it stands beside all others.
   std::optional<char32_t> instead_of;
   Rights rights;
   friend bool operator==(const Facts&, const Facts&) = default;
