@@ -62,6 +62,21 @@ class OwnCharactersStudied : public SessionTest {
     learner_->renew_characters();
     return kept.value_or(0);
   }
+  /// All that is due on a day, and right. @param asked  gets the day for each character asked from memory.
+  void study(int day, std::map<char32_t, std::vector<int>>& asked) {
+    if (!session_->start()) return;
+    int steps = 0;
+    while (session_->is_running() && ++steps < 60) {
+      clock_.advance(std::chrono::seconds(20));
+      if (session_->stage() == Stage::memory) {
+        asked[session_->character()].push_back(day);
+        write(true);
+      } else {
+        session_->finish_stage(session_->stage(), {});
+      }
+      session_->go_on();
+    }
+  }
 };
 
 TEST_F(OwnCharactersStudied, MakeAListThatCanBeLearned) {
@@ -95,18 +110,7 @@ TEST_F(OwnCharactersStudied, ComeBackWithinAWeekLikeAnyOther) {
     clock_.set_calendar(first + days(day));
     open();
     ASSERT_TRUE(learner_->database()->find(sign)) << "after the program was started again";
-    if (!session_->start()) continue;
-    int steps = 0;
-    while (session_->is_running() && ++steps < 60) {
-      clock_.advance(std::chrono::seconds(20));
-      if (session_->stage() == Stage::memory) {
-        asked[session_->character()].push_back(day);
-        write(true);
-      } else {
-        session_->finish_stage(session_->stage(), {});
-      }
-      session_->go_on();
-    }
+    study(day, asked);
   }
   ASSERT_GE(asked[sign].size(), 3U);
   EXPECT_EQ(asked[sign], asked[U'一']) << "FSRS knows no difference";
@@ -275,18 +279,7 @@ TEST_F(OwnCharactersStudied, InThePlaceOfAPublishedOneGoOnWithItsHistory) {
     open();
     if (day == 2) (void)keep(form_of_one());
     EXPECT_EQ(learner_->lists()->facts(U'一')->strokes, day < 2 ? 1 : 2);
-    if (!session_->start()) continue;
-    int steps = 0;
-    while (session_->is_running() && ++steps < 60) {
-      clock_.advance(std::chrono::seconds(20));
-      if (session_->stage() == Stage::memory) {
-        asked[session_->character()].push_back(day);
-        write(true);
-      } else {
-        session_->finish_stage(session_->stage(), {});
-      }
-      session_->go_on();
-    }
+    study(day, asked);
   }
   EXPECT_GE(asked[U'一'].size(), 3U);
   EXPECT_EQ(asked[U'一'], asked[U'二']) << "as if nothing had happened";
