@@ -51,11 +51,16 @@ function(nazori_precompiled_headers target)
        "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}_headers.dir/${target}_headers.cpp.o")
   file(WRITE "${CMAKE_BINARY_DIR}/${header}.sum" "${CMAKE_CXX_COMPILER_VERSION} ${versions} ${text}")
   target_compile_options(${target} PRIVATE "SHELL:-include-pch ${header}")
-  # Without this Ninja compiles the sources before the header that they read.
+  # Sources may be added to the target after this call, so its folder is read to the end first.
+  cmake_language(EVAL CODE "cmake_language(DEFER CALL nazori_headers_first [[${target}]] [[${CMAKE_BINARY_DIR}/${header}]])")
+endfunction()
+
+# nazori_headers_first(TARGET HEADER): without this Ninja compiles the sources before the precompiled header that they
+# read.
+function(nazori_headers_first target header)
   get_target_property(sources ${target} SOURCES)
   list(APPEND sources "${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp")
-  set_property(SOURCE ${sources} APPEND PROPERTY OBJECT_DEPENDS "${CMAKE_BINARY_DIR}/${header}")
-  set_property(TARGET ${target} PROPERTY NAZORI_PRECOMPILED_HEADER "${CMAKE_BINARY_DIR}/${header}")
+  set_property(SOURCE ${sources} APPEND PROPERTY OBJECT_DEPENDS "${header}")
 endfunction()
 
 # nazori_compile_together(TARGET [ALONE <FILE>...])
@@ -99,10 +104,6 @@ function(nazori_compile_together target)
     file(CONFIGURE OUTPUT "${group}" CONTENT "${text}" @ONLY)
     set_source_files_properties("${group}" PROPERTIES INCLUDE_DIRECTORIES "${CMAKE_SOURCE_DIR}")
     target_sources(${target} PRIVATE "${group}")
-    get_target_property(header ${target} NAZORI_PRECOMPILED_HEADER)
-    if(header)
-      set_property(SOURCE "${group}" APPEND PROPERTY OBJECT_DEPENDS "${header}")
-    endif()
     math(EXPR number "${number} + 1")
   endwhile()
 endfunction()
