@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "kanji_database_inside.h"
+#include "nazori/base/utf8.h"
 #include "nazori/kanji/kanji_database.h"
+#include "radical_sign.h"
 
 namespace nazori::kanji {
 
@@ -41,8 +43,14 @@ std::vector<Radical> KanjiDatabase::radicals() const {
 }
 
 std::optional<int> KanjiDatabase::Inside::radical_of_form(const std::string& text) {
+  const auto letters = base::decode_utf8(text);
+  std::string ideograph = text;
+  if (letters && letters->size() == 1) {
+    if (const auto number = radical_of_sign(letters->front())) return number;
+    ideograph = base::encode_utf8(ideograph_of(letters->front()));
+  }
   Rewound row(form_of_radical);
-  row->bind(1, text);
+  row->bind(1, ideograph);
   return row->executeStep() ? std::optional(row.number(0)) : std::nullopt;
 }
 

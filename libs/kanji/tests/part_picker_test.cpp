@@ -80,6 +80,16 @@ TEST_F(PartsOfADatabase, RadicalsAreFoundByAnyForm) {
   EXPECT_EQ(database.radical_of_form("人"), 9);
   EXPECT_EQ(database.radical_of_form("氵"), 85);
   EXPECT_EQ(database.radical_of_form("木"), std::nullopt);
+  // Signs for radicals, which some keyboards and dictionaries give.
+  EXPECT_EQ(database.radical_of_form("⺅"), 9);
+  EXPECT_EQ(database.radical_of_form("⺡"), 85);
+  EXPECT_EQ(database.radical_of_form("⼀"), 1);
+  EXPECT_EQ(database.radical_of_form("⽊"), 75);
+  EXPECT_EQ(database.radical_of_form("⿕"), 214);
+  EXPECT_EQ(database.radical_of_form("⿖"), std::nullopt) << "after the last one";
+  EXPECT_EQ(database.radical_of_form("⺀"), std::nullopt);
+  EXPECT_EQ(database.radical_of_form("⺅⺅"), std::nullopt);
+  EXPECT_EQ(database.radical_of_form("\xFF"), std::nullopt);
   const auto all = database.radicals();
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].number, 9);

@@ -167,7 +167,8 @@ TEST_F(WorkshopDetails, ARadicalIsTypedAsANumberOrAsItsForm) {
     EXPECT_EQ(radical(), 85);
     EXPECT_EQ(shown("workshop_radical"), QStringLiteral("85 水"));
   }
-  for (const auto& [form, number] : {std::pair("亻", 9), {"氵", 85}, {"艹", 140}, {"9 亻", 9}}) {
+  for (const auto& [form, number] :
+       {std::pair("亻", 9), {"氵", 85}, {"艹", 140}, {"9 亻", 9}, {"⺅", 9}, {"⼈", 9}}) {
     type("workshop_radical", QString());
     type("workshop_radical", QString::fromUtf8(form));
     EXPECT_EQ(radical(), number) << form;
