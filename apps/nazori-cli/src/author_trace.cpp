@@ -157,7 +157,7 @@ void add_author_trace(CLI::App& author, Action& chosen) {
   auto s = std::make_shared<AuthorTraceSettings>();
   CLI::App* verb = author.add_subcommand("trace", "Find the strokes of a picture of a character");
   verb->add_option("picture", s->picture,
-                   "PNG or JPEG picture of dark writing on light paper; or a height map (.raw)")
+                   "PNG, JPEG or SVG picture of dark writing on light paper; or a height map (.raw)")
       ->required()
       ->type_name("FILE");
   verb->add_flag("--relief", s->relief, "The picture is a height map: white is the plateau");

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "nazori/base/file.h"
+#include "orientation.h"
+#include "svg_picture.h"
 
 namespace nazori::scan {
 namespace {
@@ -73,7 +75,7 @@ base::Result<Photo> parse_jpeg(std::span<const std::uint8_t> bytes) {
   if (tjDecompress2(reader.get(), bytes.data(), size, photo->grey.data(), width, 0, height, TJPF_GRAY,
                     TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0)
     return damaged();
-  return photo;
+  return upright(*std::move(photo), exif_orientation(bytes));
 }
 
 }  // namespace
@@ -96,10 +98,11 @@ base::Result<Photo> parse_photo(std::span<const std::uint8_t> bytes) {
   try {
     if (bytes.size() >= 8 && bytes[0] == 0x89 && bytes[1] == 'P') return parse_png(bytes);
     if (bytes.size() >= 4 && bytes[0] == 0xFF && bytes[1] == 0xD8) return parse_jpeg(bytes);
+    if (is_svg(bytes)) return parse_svg(bytes);
   } catch (const std::bad_alloc&) {
     return base::fail(base::Errc::io, "there is not enough memory for the picture");
   }
-  return base::fail(base::Errc::parse, "is neither a PNG nor a JPEG picture", {},
+  return base::fail(base::Errc::parse, "is neither a PNG nor a JPEG picture, nor a drawing in SVG", {},
                     "save the photograph as PNG or JPEG");
 }
 

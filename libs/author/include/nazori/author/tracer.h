@@ -18,7 +18,7 @@ namespace nazori::author {
 
 /// A picture in which strokes are looked for: of a file, or of a character of a font.
 struct TraceRequest {
-  std::filesystem::path picture;         ///< PNG or JPEG; empty: of a font
+  std::filesystem::path picture;         ///< PNG, JPEG or SVG; empty: of a font
   std::string family;                    ///< of the font
   char32_t glyph = 0;                    ///< the character of the font
   std::vector<kanji::StrokeLine> known;  ///< the strokes of the character, if it is a known one

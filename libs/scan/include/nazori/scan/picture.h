@@ -29,7 +29,9 @@ inline constexpr int kMostPixels = 20'000;  ///< a side
 /// Larger pictures are refused before their pixels are read.
 inline constexpr std::size_t kMostPhotoPixels = 120'000'000;
 
-/// A PNG or JPEG picture of any kind, by its content; colours become grey, transparent parts white.
+/// A PNG or JPEG picture of any kind, or a drawing in SVG, by its content; colours become grey, transparent
+/// parts white. A photograph stands upright as its Exif part says. The longer side of a drawing is 1,024
+/// pixels.
 /// @return Errc::parse for other files and damaged ones, Errc::schema for a picture of a size that no
 /// photograph of a page has. Any bytes are allowed.
 [[nodiscard]] base::Result<Photo> parse_photo(std::span<const std::uint8_t> bytes);
