@@ -166,7 +166,7 @@ SavePoint CharacterEditor::begin_save() {
   point.character = character_;
   point.map_size = map_.size();
   point.number = saving_->number;
-  point.has_journal = journal_ != nullptr;
+  if (journal_) point.journal_file = journal_->path();
   point.is_of_file = saved_at_ == past_.size();
   return point;
 }

@@ -89,7 +89,7 @@ void CharacterFiles::keep(SavePoint point, const Collection& collection, std::op
           point.is_written = true;
           point.is_of_file = true;
           // Without a new journal the one there was goes on.
-          if (point.has_journal)
+          if (!point.journal_file.empty())
             (void)CharacterEditor::write_journal(point, journal_path(collection.file_of(*kept)));
         }
         return std::pair(std::move(point), std::move(kept));

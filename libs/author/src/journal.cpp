@@ -2,6 +2,7 @@
 #include "journal.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -71,6 +72,16 @@ std::vector<float> read_heights(ByteReader& in) {
   std::vector<float> heights(in.count(4));
   for (float& height : heights) height = in.f32();
   return heights;
+}
+
+/// Locks a file until it is closed. @return false where another editor has locked it; true also where the
+/// file system knows no locks.
+bool is_locked_now(int fd) {
+  while (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EWOULDBLOCK) return false;
+    if (errno != EINTR) break;
+  }
+  return true;
 }
 
 }  // namespace
@@ -188,8 +199,25 @@ base::Result<std::unique_ptr<Journal>> Journal::begin(const std::filesystem::pat
   return go_on(path, bytes.size());
 }
 
+tl::unexpected<base::Error> Journal::refuse(const std::filesystem::path& path) {
+  return base::fail(base::Errc::in_use, "is being edited in another window or program", path.string(),
+                    "close it there");
+}
+
+bool is_being_edited(const std::filesystem::path& journal) {
+  const int fd = ::open(journal.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return false;
+  const bool held = !is_locked_now(fd);
+  ::close(fd);
+  return held;
+}
+
 base::Result<std::unique_ptr<Journal>> Journal::go_on(const std::filesystem::path& path, std::size_t length) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (fd >= 0 && !is_locked_now(fd)) {
+    ::close(fd);
+    return refuse(path);
+  }
   if (fd < 0 || ::ftruncate(fd, static_cast<off_t>(length)) != 0) {
     const std::string why = std::generic_category().message(errno);
     if (fd >= 0) ::close(fd);

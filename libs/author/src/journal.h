@@ -64,13 +64,16 @@ struct JournalReach {
 
 /// The journal of an open document. Every record is on its way to the disk when append() returns, so it
 /// outlives the program; what is flushed outlives the machine, too. After the first error nothing more is
-/// written. Thread rules: one thread.
+/// written. The file is locked as long as this lives. Thread rules: one thread.
 class Journal {
  public:
+  /// The error for a journal that another editor writes.
+  [[nodiscard]] static tl::unexpected<base::Error> refuse(const std::filesystem::path& path);
   /// Begins a journal; an old one is replaced.
   [[nodiscard]] static base::Result<std::unique_ptr<Journal>> begin(const std::filesystem::path& path,
                                                                     const JournalBase& base);
   /// Goes on with one that was read. @param length  of its good part; what follows is cut off.
+  /// @return Errc::in_use, with nothing cut off, where another editor writes it; Errc::io.
   [[nodiscard]] static base::Result<std::unique_ptr<Journal>> go_on(const std::filesystem::path& path,
                                                                     std::size_t length);
   Journal(const Journal&) = delete;

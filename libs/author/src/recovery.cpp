@@ -47,6 +47,7 @@ class JournalReplay {
  public:
   static base::Result<CharacterEditor> run(const std::filesystem::path& path, Recovery& recovery, int size,
                                            const std::vector<std::uint8_t>* file) {
+    if (is_being_edited(path)) return Journal::refuse(path);
     constexpr std::size_t kLargest = std::size_t{1} << 30;
     const auto bytes = base::read_file(path, kLargest);
     if (!bytes) return tl::unexpected(bytes.error());
@@ -145,7 +146,18 @@ base::Result<CharacterEditor> CharacterEditor::recover(const std::filesystem::pa
   return JournalReplay::run(journal, recovery, size, nullptr);
 }
 
+namespace {
+
+/// The journal of another editor must not be replaced.
+base::Result<void> check_free(const SavePoint& point, const std::filesystem::path& journal) {
+  if (journal == point.journal_file || !is_being_edited(journal)) return {};
+  return Journal::refuse(journal);
+}
+
+}  // namespace
+
 base::Result<void> CharacterEditor::write_journal(SavePoint& point, const std::filesystem::path& journal) {
+  if (auto is_free = check_free(point, journal); !is_free) return is_free;
   auto document = to_bytes(point.character);
   if (!document) return tl::unexpected(std::move(document).error());
   auto begun = Journal::begin(journal, {point.map_size, point.is_of_file, *std::move(document)});
@@ -155,10 +167,11 @@ base::Result<void> CharacterEditor::write_journal(SavePoint& point, const std::f
 }
 
 base::Result<void> CharacterEditor::write_document(SavePoint& point, const std::filesystem::path& path) {
+  if (auto is_free = check_free(point, journal_path(path)); !is_free) return is_free;
   if (auto saved = save_character(point.character, path); !saved) return saved;
   point.is_written = true;
   point.is_of_file = true;
-  return point.has_journal ? write_journal(point, journal_path(path)) : base::Result<void>();
+  return !point.journal_file.empty() ? write_journal(point, journal_path(path)) : base::Result<void>();
 }
 
 base::Result<void> CharacterEditor::autosave_to(const std::filesystem::path& path) {

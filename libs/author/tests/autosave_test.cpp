@@ -65,6 +65,41 @@ class Autosave : public testing::Test {
   std::optional<Recovery> recovery_;
 };
 
+TEST_F(Autosave, ADocumentThatIsBeingEditedIsNotOpenedAgain) {
+  CharacterEditor editor = open();
+  EXPECT_FALSE(is_being_edited(journal_path(path_)));
+  ASSERT_TRUE(editor.autosave_to(journal_path(path_)));
+  work(editor);
+  EXPECT_TRUE(is_being_edited(journal_path(path_)));
+  const auto journal = journal_bytes();
+  std::optional<Recovery> recovery;
+  const auto second = CharacterEditor::open(path_, recovery, kMap);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, base::Errc::in_use);
+  Recovery found;
+  EXPECT_EQ(CharacterEditor::recover(journal_path(path_), found, kMap).error().code, base::Errc::in_use);
+  EXPECT_EQ(Journal::go_on(journal_path(path_), 10).error().code, base::Errc::in_use);
+  EXPECT_EQ(journal_bytes(), journal) << "nothing is cut off";
+  EXPECT_TRUE(editor.save(path_)) << "it is its own journal";
+  editor.close_journal();
+  EXPECT_FALSE(is_being_edited(journal_path(path_)));
+  open();
+}
+
+TEST_F(Autosave, AnotherDocumentDoesNotTakeThePlaceOfOneThatIsBeingEdited) {
+  CharacterEditor editor = open();
+  ASSERT_TRUE(editor.autosave_to(journal_path(path_)));
+  work(editor);
+  const auto document = *base::read_file(path_, 1U << 30U);
+  const auto journal = journal_bytes();
+  CharacterEditor other = CharacterEditor::create(cross(), kMap).value();
+  EXPECT_EQ(other.save(path_).error().code, base::Errc::in_use);
+  EXPECT_EQ(other.autosave_to(journal_path(path_)).error().code, base::Errc::in_use);
+  EXPECT_FALSE(other.state().is_autosaved);
+  EXPECT_EQ(*base::read_file(path_, 1U << 30U), document);
+  EXPECT_EQ(journal_bytes(), journal);
+}
+
 TEST_F(Autosave, WithoutAJournalNothingIsRecovered) {
   const CharacterEditor editor = open();
   EXPECT_FALSE(recovery_);
@@ -286,12 +321,11 @@ TEST_F(Autosave, AnEditOfAnotherDocumentEndsTheReplay) {
     ASSERT_TRUE(editor.autosave_to(journal_path(path_)));
     ASSERT_TRUE(editor.set_depth(0, 0, 0.5));
   }
-  auto journal = Journal::go_on(journal_path(path_), journal_bytes().size());
   const auto kept = journal_bytes().size();
-  ASSERT_TRUE(journal);
   const auto tail = [&](const Change& change) {
-    fs::resize_file(journal_path(path_), kept);
-    (*journal)->append(RecordKind::edit, to_record(change), false);
+    // What follows the good part is cut off, and the lock ends with the block.
+    if (auto journal = Journal::go_on(journal_path(path_), kept))
+      (*journal)->append(RecordKind::edit, to_record(change), false);
     (void)open();
     return recovery_->edits;
   };

@@ -37,9 +37,14 @@ class FilesOnAnotherThread : public testing::Test {
       editor.end_save(std::move(point));
     });
   }
-  /// The document as the next program opens it.
+  /// The document as the next program opens it: what is on the disk now, without the lock of this one.
   CharacterEditor opened_again(std::optional<Recovery>& recovery) const {
-    auto opened = CharacterEditor::open(path(), recovery, kSize);
+    const fs::path left = folder_ / "left.nazori";
+    const auto copies = fs::copy_options::overwrite_existing;
+    fs::copy_file(path(), left, copies);
+    fs::remove(journal_path(left));
+    if (fs::exists(journal_path(path()))) fs::copy_file(journal_path(path()), journal_path(left), copies);
+    auto opened = CharacterEditor::open(left, recovery, kSize);
     EXPECT_TRUE(opened);
     return *std::move(opened);
   }
@@ -193,7 +198,9 @@ TEST_F(FilesOnAnotherThread, MoveTheJournalToTheNewDocument) {
   EXPECT_TRUE(edited.state().is_autosaved);
   EXPECT_FALSE(edited.state().is_saved) << "only a journal was written";
   Recovery recovery;
-  EXPECT_EQ(CharacterEditor::recover(unnamed, recovery, kSize)->character(), edited.character());
+  const fs::path left = folder_ / "left.journal";
+  fs::copy_file(unnamed, left);
+  EXPECT_EQ(CharacterEditor::recover(left, recovery, kSize)->character(), edited.character());
   EXPECT_EQ(recovery.edits, 1U);
   save(edited);
   finish();

@@ -163,8 +163,10 @@ TEST_F(FormWindow, IsUsedInsteadOfThePublishedCharacterUntilItIsTakenOut) {
       QStringLiteral("2 strokes here, 5 in the dictionary · your own form instead of the published one")))
       << find<QLabel>("facts")->text().toStdString();
   press(Qt::Key_2, Qt::AltModifier);
-  // The file that it was opened from does not have the choice.
-  answer_with(QStringLiteral("Do not save"));
+  // The file that it was opened from has the choice, too.
+  EXPECT_TRUE(workshop->bench().editor().state().is_saved);
+  const auto file = author::load_character(folder_.filePath(QStringLiteral("sign.nazori")).toStdString());
+  EXPECT_EQ(file->facts.instead_of, U'永');
   press_and_finish(Qt::Key_C);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Opened ")))
       << "its own form, no copy; " << feedback().toStdString();
@@ -179,6 +181,17 @@ TEST_F(FormWindow, IsUsedInsteadOfThePublishedCharacterUntilItIsTakenOut) {
       [this] { return find<QLabel>("facts")->text().startsWith(QStringLiteral("5 strokes")); }, 20000))
       << find<QLabel>("facts")->text().toStdString();
   EXPECT_FALSE(find<QLabel>("facts")->text().contains(QStringLiteral("your own form")));
+}
+
+TEST_F(FormWindow, WhatWasNotSavedIsNotSavedByKeepingIt) {
+  open(form());
+  drag({20, 60}, {90, 60});
+  keep(QStringLiteral("Use it instead"));
+  ASSERT_EQ(kept().size(), 1U);
+  EXPECT_FALSE(workshop->bench().editor().state().is_saved);
+  const auto file = author::load_character(folder_.filePath(QStringLiteral("sign.nazori")).toStdString());
+  EXPECT_EQ(file->strokes.size(), 2U);
+  EXPECT_FALSE(file->facts.instead_of);
 }
 
 TEST_F(FormWindow, StandsBesideWhereThatIsTheAnswerAndNothingIsKeptAfterGoBack) {

@@ -144,6 +144,58 @@ TEST_F(WorkshopWindow, ADocumentIsSavedAndOpensAgainWithTheSameBytes) {
   EXPECT_EQ(bytes, second.readAll());
 }
 
+TEST_F(WorkshopWindow, ADocumentThatAnotherWindowEditsIsNotOpenedNorReplaced) {
+  drag({20, 40}, {90, 40});
+  const QString path = folder_.filePath(QStringLiteral("sign.nazori"));
+  write(path);
+  press(Qt::Key_N, Qt::ControlModifier);
+  finish_files();
+  std::optional<author::Recovery> recovery;
+  auto other = author::CharacterEditor::open(path.toStdString(), recovery, 64);
+  ASSERT_TRUE(other);
+  ASSERT_TRUE(other->autosave_to(author::journal_path(path.toStdString())));
+  open(path);
+  EXPECT_TRUE(
+      feedback().startsWith(QStringLiteral("Could not open sign.nazori: another program is using it")))
+      << feedback().toStdString();
+  EXPECT_TRUE(character().strokes.empty());
+  EXPECT_TRUE(workshop->bench().editor().state().is_autosaved) << "what stays is still kept for an emergency";
+  write(path);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Could not save sign.nazori: ")));
+  other->close_journal();
+  open(path);
+  EXPECT_EQ(character().strokes.size(), 1U);
+  // The document that is open here may be opened again.
+  drag({20, 60}, {90, 60});
+  answer_with(QStringLiteral("Do not save"));
+  open(path);
+  EXPECT_EQ(character().strokes.size(), 1U) << feedback().toStdString();
+}
+
+/// Another window has work without a name.
+class SecondWorkshopWindow : public WorkshopWindow {
+ protected:
+  void SetUp() override {
+    journal_ = folder_.filePath(QStringLiteral("workshop.nazori.journal")).toStdString();
+    ASSERT_TRUE(other_.autosave_to(journal_));
+    ASSERT_TRUE(other_.draw_stroke({{.at = {20, 20}, .pressure = 1.0}, {.at = {80, 30}, .pressure = 0.5}}));
+    WorkshopWindow::SetUp();
+    finish_files();
+  }
+  author::CharacterEditor other_ = author::CharacterEditor::create({}, 64).value();
+  std::filesystem::path journal_;
+};
+
+TEST_F(SecondWorkshopWindow, HasAJournalOfItsOwn) {
+  EXPECT_TRUE(character().strokes.empty()) << "what the other window does is not work to bring back";
+  drag({20, 40}, {90, 40});
+  EXPECT_TRUE(other_.state().is_autosaved);
+  author::Recovery recovery;
+  EXPECT_FALSE(author::CharacterEditor::recover(journal_, recovery, 64));
+  EXPECT_TRUE(
+      author::is_being_edited(folder_.filePath(QStringLiteral("workshop-2.nazori.journal")).toStdString()));
+}
+
 TEST_F(WorkshopWindow, CopiesAreSavedInOtherFormats) {
   drag({20, 40}, {90, 40});
   for (const char* name : {"a.svg", "a.str", "a.raw", "a.png"}) {

@@ -76,33 +76,48 @@ void WorkshopPage::keep() {
     return parts().respond(Feedback::wrong, tr("Give the character a name first."));
   }
   const auto place = kept_as();
-  if (place || choose_use()) keep_as(place, author::SameName::refuse);
+  const bool was_saved = bench_->editor().state().is_saved;
+  if (!place && !choose_use()) return;
+  // The answer changes the character. Nobody else did, so its own file follows.
+  saves_file_ = was_saved && !bench_->editor().state().is_saved && !file_.isEmpty();
+  keep_as(place, author::SameName::refuse);
+}
+
+void WorkshopPage::save_answer(std::size_t edits) {
+  if (!std::exchange(saves_file_, false) || edits != edits_) return;
+  files_.save(bench_->begin_save(), file_.toStdString(),
+              [this](author::SavePoint point, const base::Result<void>& saved) {
+                bench_->end_save(std::move(point));
+                if (!saved) say_not_saved(file_, saved.error());
+              });
 }
 
 void WorkshopPage::keep_as(std::optional<char32_t> place, author::SameName same_name) {
   // What has no other file is from now on the kept character.
   const bool becomes_document = file_.isEmpty() || kept_as();
   say_if_slow(tr("Saving…"));
-  files_.keep(bench_->begin_save(), collection(), place, same_name, becomes_document,
-              [this, becomes_document](author::SavePoint point, const base::Result<char32_t>& kept) {
-                const author::Facts facts = point.character.facts;
-                if (kept && becomes_document) file_ = to_text(collection().file_of(*kept).string());
-                bench_->end_save(std::move(point));
-                if (!kept && kept.error().code == base::Errc::in_use && kept.error().where == facts.name)
-                  return ask_same_name();
-                if (!kept)
-                  return parts().announce(
-                      Feedback::wrong, tr("The character could not be kept: %1.").arg(reason(kept.error())));
-                emit parts().own_characters_changed();
-                parts().announce(
-                    Feedback::good,
-                    facts.instead_of
-                        ? tr("Your form is used instead of the published %1 now: in lists, search, study and "
-                             "worksheets.")
-                              .arg(to_text(*facts.instead_of))
-                        : tr("“%1” is among your characters now: in lists, search, study and worksheets.")
-                              .arg(to_text(facts.name)));
-              });
+  files_.keep(
+      bench_->begin_save(), collection(), place, same_name, becomes_document,
+      [this, becomes_document, edits = edits_](author::SavePoint point, const base::Result<char32_t>& kept) {
+        const author::Facts facts = point.character.facts;
+        if (kept && becomes_document) file_ = to_text(collection().file_of(*kept).string());
+        bench_->end_save(std::move(point));
+        if (!kept && kept.error().code == base::Errc::in_use && kept.error().where == facts.name)
+          return ask_same_name();
+        if (!kept)
+          return parts().announce(Feedback::wrong,
+                                  tr("The character could not be kept: %1.").arg(reason(kept.error())));
+        emit parts().own_characters_changed();
+        save_answer(edits);
+        parts().announce(
+            Feedback::good,
+            facts.instead_of
+                ? tr("Your form is used instead of the published %1 now: in lists, search, study and "
+                     "worksheets.")
+                      .arg(to_text(*facts.instead_of))
+                : tr("“%1” is among your characters now: in lists, search, study and worksheets.")
+                      .arg(to_text(facts.name)));
+      });
 }
 
 void WorkshopPage::ask_same_name() {

@@ -41,7 +41,21 @@ std::u32string WorkshopPage::named_character() const {
 
 std::filesystem::path WorkshopPage::unnamed_journal() const {
   return std::filesystem::path(QFileInfo(parts().settings_file()).absolutePath().toStdString()) /
-         "workshop.nazori.journal";
+         (unnamed_ == 0 ? std::string("workshop.nazori.journal")
+                        : "workshop-" + std::to_string(unnamed_ + 1) + ".nazori.journal");
+}
+
+void WorkshopPage::choose_unnamed_journal() {
+  constexpr int kMost = 20;
+  std::error_code ignored;
+  std::optional<int> unused;
+  for (unnamed_ = 0; unnamed_ < kMost; ++unnamed_) {
+    // Another window writes it.
+    if (author::is_being_edited(unnamed_journal())) continue;
+    if (std::filesystem::exists(unnamed_journal(), ignored)) return;
+    if (!unused) unused = unnamed_;
+  }
+  unnamed_ = unused.value_or(0);
 }
 
 void WorkshopPage::finish_files() {
@@ -72,6 +86,7 @@ void WorkshopPage::keep_journal() {
 }
 
 void WorkshopPage::recover() {
+  choose_unnamed_journal();
   std::error_code ignored;
   const auto journal = unnamed_journal();
   if (!std::filesystem::exists(journal, ignored)) return keep_journal();
@@ -116,7 +131,9 @@ bool WorkshopPage::may_close(bool /*quits*/) {
   if (choice == Unsaved::save) {
     ask_and_save();
     finish_files();
-    return bench_->editor().state().is_saved;
+    if (!bench_->editor().state().is_saved) return false;
+    bench_->close_journal();
+    return true;
   }
   if (choice == Unsaved::stay) return false;
   bench_->close_journal();
@@ -138,9 +155,12 @@ void WorkshopPage::open(const QString& path) {
   finish_files();
   say_if_slow(tr("Opening %1…").arg(name_of(path)));
   files_.open(path.toStdString(), [this, path, edits = edits_](base::Result<author::OpenedCharacter> opened) {
-    if (!opened)
+    if (!opened) {
+      // The question about unsaved work ended the journal of the document that stays.
+      if (!bench_->editor().state().is_autosaved) keep_journal();
       return parts().announce(Feedback::wrong,
                               tr("Could not open %1: %2.").arg(name_of(path), reason(opened.error())));
+    }
     // Nothing that was drawn meanwhile goes without a question.
     if (edits != edits_ && !may_replace()) return;
     take_opened(path, *std::move(opened));
@@ -307,9 +327,9 @@ void WorkshopPage::trace_font(const QString& family, char32_t character) {
 }
 
 void WorkshopPage::ask_picture() {
-  const QString path =
-      QFileDialog::getOpenFileName(&parts().window(), tr("Find the strokes of a picture"),
-                                   parts().preferences().start_folder(), tr("Pictures (*.png *.jpg *.jpeg)"));
+  const QString path = QFileDialog::getOpenFileName(&parts().window(), tr("Find the strokes of a picture"),
+                                                    parts().preferences().start_folder(),
+                                                    tr("Pictures (*.png *.jpg *.jpeg *.svg)"));
   if (path.isEmpty()) return;
   parts().preferences().folder = QFileInfo(path).absolutePath();
   TraceDialog dialog(name_of(path), to_text(bench_->character().facts.name), &parts().window());

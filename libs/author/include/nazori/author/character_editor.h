@@ -71,12 +71,12 @@ class Journal;
 /// A state of a document on its way to the disk. Thread rules: one thread at a time.
 struct SavePoint {
   OwnCharacter character;
-  int map_size = 0;                       ///< samples per side
-  std::uint64_t number = 0;               ///< of the call of begin_save(); no two are alike
-  bool has_journal = false;               ///< one is written for the document
-  bool is_of_file = false;                ///< a file has this state
-  bool is_written = false;                ///< the document was written
-  std::shared_ptr<Journal> journal = {};  ///< that was begun; null: none
+  int map_size = 0;                         ///< samples per side
+  std::uint64_t number = 0;                 ///< of the call of begin_save(); no two are alike
+  std::filesystem::path journal_file = {};  ///< the journal that the document has; empty: none
+  bool is_of_file = false;                  ///< a file has this state
+  bool is_written = false;                  ///< the document was written
+  std::shared_ptr<Journal> journal = {};    ///< that was begun; null: none
 };
 
 /// Makes and changes a character: every change can be undone without limit, is carved at once in the box that
@@ -150,21 +150,24 @@ class CharacterEditor {
 
   /// Opens a document, with what its journal holds where a program was killed. The journal goes on.
   /// @param recovery  what was brought back; untouched where there was no journal.
-  /// @return the errors of load_character(); Errc::io for a journal that cannot be read or continued. One
-  /// that is damaged from its beginning is left out and counted.
+  /// @return the errors of load_character(); Errc::in_use where it is being edited already, here or in
+  /// another program; Errc::io for a journal that cannot be read or continued. One that is damaged from its
+  /// beginning is left out and counted.
   [[nodiscard]] static base::Result<CharacterEditor> open(const std::filesystem::path& path,
                                                           std::optional<Recovery>& recovery,
                                                           int size = kMapSize);
-  /// Brings back a document that was never saved from its journal alone.
+  /// Brings back a document that was never saved from its journal alone. @return as open().
   [[nodiscard]] static base::Result<CharacterEditor> recover(const std::filesystem::path& journal,
                                                              Recovery& recovery, int size = kMapSize);
 
   /// Begins a journal; every edit is then written to it and flushed. Without this call nothing is autosaved.
   /// @param path  journal_path() of the document, or any file for one that has no name yet.
+  /// @return Errc::in_use where that document is being edited elsewhere; Errc::io.
   [[nodiscard]] base::Result<void> autosave_to(const std::filesystem::path& path);
   /// The error at which the journal stopped; nothing while all is well.
   [[nodiscard]] std::optional<base::Error> journal_error() const;
   /// Writes the document; the journal, if there is one, then belongs to this path and starts again.
+  /// @return Errc::in_use where another document of this path is being edited elsewhere; Errc::io.
   [[nodiscard]] base::Result<void> save(const std::filesystem::path& path);
 
   /// The same for another thread: takes the present state, which write_document() or write_journal() writes
@@ -200,5 +203,9 @@ class CharacterEditor {
 
 /// The journal of a document: its path with ".journal" at the end.
 [[nodiscard]] std::filesystem::path journal_path(const std::filesystem::path& document);
+
+/// Whether an editor, of this program or of another one, is writing a journal. The system forgets it when the
+/// program ends, in whatever way. Where a file system knows no locks the answer is no.
+[[nodiscard]] bool is_being_edited(const std::filesystem::path& journal);
 
 }  // namespace nazori::author

@@ -87,6 +87,8 @@ class WorkshopPage final : public Page {
 
   /// The file beside which unsaved work is kept.
   [[nodiscard]] std::filesystem::path unnamed_journal() const;
+  /// Chooses the one with work to bring back that no other window writes, else an unused one.
+  void choose_unnamed_journal();
   void begin(author::OwnCharacter character, const QString& sentence);
   void keep_journal();
   void recover();
@@ -110,6 +112,8 @@ class WorkshopPage final : public Page {
   void keep();
   void keep_as(std::optional<char32_t> place, author::SameName same_name);
   void ask_same_name();
+  /// Writes the document's own file where only the question of keep() changed it.
+  void save_answer(std::size_t edits);
   /// The published character that has the name of this one.
   [[nodiscard]] std::optional<char32_t> published_namesake() const;
   /// Asks whether the form is used instead of the published one, where there is one. @return false: go back.
@@ -134,10 +138,12 @@ class WorkshopPage final : public Page {
   bool journal_failed_ = false;  ///< said once for each document
   std::map<char32_t, kanji::Character> characters_;
   std::optional<author::TraceRequest> waiting_;  ///< for the strokes of asked_
-  char32_t asked_ = 0;     ///< the character whose strokes are waited for; without waiting_ it is copied
-  char32_t traced_ = 0;    ///< the character that is looked for
-  std::size_t edits_ = 0;  ///< made, undone and redone since the window was opened
-  author::Tracer tracer_;  // the threads are declared last, so that they end first
+  char32_t asked_ = 0;       ///< the character whose strokes are waited for; without waiting_ it is copied
+  char32_t traced_ = 0;      ///< the character that is looked for
+  bool saves_file_ = false;  ///< see save_answer()
+  int unnamed_ = 0;          ///< which of the files for work without a name is this window's
+  std::size_t edits_ = 0;    ///< made, undone and redone since the window was opened
+  author::Tracer tracer_;    // the threads are declared last, so that they end first
   author::CharacterFiles files_;
   practice::FeltRelief felt_;
   int slow_files_ = 0;  ///< number of the last call of say_if_slow()
