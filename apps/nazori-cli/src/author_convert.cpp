@@ -60,13 +60,9 @@ tl::expected<author::OwnCharacter, int> source_of(Console& console, const Author
     return tl::unexpected(console.refuse(
         {base::Errc::bad_argument, "is more than one character", s.source, "convert them one by one"}));
   const kanji::Character& one = characters->front();
-  const std::optional<char32_t> own =
-      kanji::is_own(one.code_point) ? std::optional(one.code_point) : one.own_form;
-  if (!own) return author::copy_of(one);
-  // What somebody made has widths, a relief and rights of its own.
-  auto made = author::Collection(author::Collection::usual_folder()).find(*own);
+  auto made = made_character(one);
   if (!made) return tl::unexpected(console.refuse(made.error()));
-  return *std::move(made);
+  return *made ? **std::move(made) : author::copy_of(one);
 }
 
 int run(Console& console, const AuthorConvertSettings& s) {

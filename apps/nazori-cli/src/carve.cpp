@@ -65,17 +65,23 @@ base::Result<std::vector<Target>> targets_of(const CarveSettings& settings,
   return targets;
 }
 
+base::Result<surface::HeightMap> relief_of(const kanji::Character& character, const CarveSettings& settings) {
+  const auto made = made_character(character);
+  if (!made) return tl::unexpected(made.error());
+  return *made ? author::carve(**made, settings.size)
+               : carving::carve(character.lines(), settings.size, settings.brush);
+}
+
 base::Result<void> carve_one(Console& console, const kanji::Character& character, const Target& target,
                              const CarveSettings& settings) {
-  const std::vector<kanji::StrokeLine> lines = character.lines();
-  const auto map = carving::carve(lines, settings.size, settings.brush);
+  const auto map = relief_of(character, settings);
   if (!map) return tl::unexpected(map.error());
   const auto depth = settings.bits == 8 ? surface::PngDepth::bits_8 : surface::PngDepth::bits_16;
   auto saved = has_extension(target.map.path(), ".raw") ? surface::save_raw(*map, target.map.path())
                                                         : surface::save_png(*map, target.map.path(), depth);
   if (saved) saved = target.map.deliver(console);
   if (saved && target.strokes) {
-    saved = kanji::StrokeOrder::from_lines(kanji::centre_lines(lines), settings.size)
+    saved = kanji::StrokeOrder::from_lines(kanji::centre_lines(character.lines()), settings.size)
                 .save(target.strokes->path());
     if (saved) saved = target.strokes->deliver(console);
   }

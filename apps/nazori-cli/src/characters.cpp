@@ -61,4 +61,12 @@ tl::expected<std::vector<kanji::Character>, int> characters_with_strokes(
   return std::move(characters.found);
 }
 
+base::Result<std::optional<author::OwnCharacter>> made_character(const kanji::Character& character) {
+  const auto kept = author::kept_form_of(character);
+  if (!kept) return std::nullopt;
+  auto made = author::Collection(author::Collection::usual_folder()).find(*kept);
+  if (!made) return tl::unexpected(std::move(made.error()));
+  return *std::move(made);
+}
+
 }  // namespace nazori::cli

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "console.h"
+#include "nazori/author/own_character.h"
 #include "nazori/base/result.h"
 #include "nazori/kanji/character_name.h"
 #include "nazori/kanji/kanji_database.h"
@@ -36,5 +38,10 @@ struct FoundCharacters {
 /// @return the characters, or the exit code after an error message.
 [[nodiscard]] tl::expected<std::vector<kanji::Character>, int> characters_with_strokes(
     Console& console, std::span<const std::string> arguments, const std::string& database);
+
+/// What somebody made of a character, with its own widths, relief and rights; none for a published form.
+/// @return the errors of author::Collection::find().
+[[nodiscard]] base::Result<std::optional<author::OwnCharacter>> made_character(
+    const kanji::Character& character);
 
 }  // namespace nazori::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,15 +59,23 @@ base::Result<Tablets> own_tablets(const ModelSettings& settings) {
   }
   Tablets tablets{settings.own.strokes.empty() ? settings.own.height_map : settings.own.strokes, {}, {}};
   tablets.all.push_back({tablet::stroke_lines((*tablet)->lines()), (*tablet)->height_map()});
-  tablets.labels.emplace_back();
+  tablets.labels.push_back(practice::touch_label(std::filesystem::path(tablets.subject).stem().string(),
+                                                 tablets.all.back().strokes.size()));
   return tablets;
 }
 
-Tablets tablets_of(const std::vector<kanji::Character>& characters) {
+base::Result<Tablets> tablets_of(const std::vector<kanji::Character>& characters) {
   Tablets tablets;
   for (const kanji::Character& character : characters) {
     tablets.subject += kanji::name_of(character).text();
     tablets.all.push_back({character.lines(), {}});
+    const auto made = made_character(character);
+    if (!made) return tl::unexpected(made.error());
+    if (*made) {
+      auto relief = author::carve(**made, kModelMapSize);
+      if (!relief) return tl::unexpected(std::move(relief.error()));
+      tablets.all.back().relief = *std::move(relief);
+    }
     tablets.labels.push_back(practice::touch_label(character));
   }
   return tablets;

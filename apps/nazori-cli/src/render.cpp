@@ -88,6 +88,16 @@ int run_own(Console& console, const RenderSettings& settings) {
   return kDone;
 }
 
+base::Result<std::shared_ptr<const tablet::CarvedTablet>> tablet_of(const kanji::Character& character,
+                                                                    const RenderSettings& settings) {
+  const int size = settings.map_size.value_or(kPictureSize);
+  const auto made = made_character(character);
+  if (!made) return tl::unexpected(made.error());
+  return *made ? author::carved_tablet(**made, size)
+               : tablet::CarvedTablet::from_lines(tablet::tablet_lines(character.lines()), size,
+                                                  settings.brush);
+}
+
 int run_characters(Console& console, const RenderSettings& settings) {
   const auto names = kanji::parse_characters(settings.characters);
   if (!names) return console.refuse(names.error());
@@ -108,9 +118,7 @@ int run_characters(Console& console, const RenderSettings& settings) {
     if (!progress.show(static_cast<double>(i) / static_cast<double>(characters->size()), "drawing " + name)) {
       return console.refuse({base::Errc::cancelled, "stopped", name, ""});
     }
-    const auto tablet =
-        tablet::CarvedTablet::from_lines(tablet::tablet_lines((*characters)[i].lines()),
-                                         settings.map_size.value_or(kPictureSize), settings.brush);
+    const auto tablet = tablet_of((*characters)[i], settings);
     if (!tablet) return console.refuse(tablet.error());
     if (auto done = paint(console, *painter, **tablet, settings, name, (*paths)[i]); !done)
       return console.refuse(done.error());

@@ -51,6 +51,31 @@ TEST_F(AuthorKeep, NamesTheKeptCharacterByItsCodePointForOtherCommands) {
   EXPECT_EQ(nazori_cli({"info", code_point}).code, 1) << "the tests' own folder is another one";
 }
 
+TEST_F(AuthorKeep, CarvesDrawsAndMakesWhatSomebodyMadeWithItsOwnGrooves) {
+  const std::string code_point = keep();
+  EXPECT_EQ(run({"author", "convert", sign(), "--output", folder_ / "relief.raw", "--size", "64"}).code, 0);
+  // The brush is for published characters: it would change all of these.
+  const auto made = [&](const std::string& what, const std::vector<std::string>& command) {
+    const auto file = [&](const std::string& name, const std::string& character,
+                          const std::vector<std::string>& brush) {
+      std::vector<std::string> arguments{command.front(), character, "--output", folder_ / name};
+      arguments.insert(arguments.end(), command.begin() + 1, command.end());
+      arguments.insert(arguments.end(), brush.begin(), brush.end());
+      const Outcome outcome = run(arguments);
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      return bytes_of(folder_ / name);
+    };
+    const auto own = file("own" + what, code_point, {});
+    EXPECT_EQ(file("own_wide" + what, code_point, {"--width", "20"}), own) << what;
+    EXPECT_NE(file("published_wide" + what, "二", {"--width", "20"}), file("published" + what, "二", {}))
+        << what;
+    return own;
+  };
+  EXPECT_EQ(made(".raw", {"carve", "--size", "64"}), bytes_of(folder_ / "relief.raw"));
+  made(".stl", {"model", "--size-mm", "20"});
+  made(".png", {"render", "--size", "64x64", "--map-size", "64"});
+}
+
 TEST_F(AuthorKeep, AsksWhatToDoWithTheSameName) {
   const std::string first = keep();
   const Outcome again = run({"author", "keep", sign()});

@@ -125,11 +125,21 @@ kanji::Character kanji_character(const OwnCharacter& character, char32_t code_po
   return out;
 }
 
+std::optional<char32_t> kept_form_of(const kanji::Character& character) {
+  return kanji::is_own(character.code_point) ? character.code_point : character.own_form;
+}
+
 fs::path Collection::usual_folder() {
   // Nothing here sets variables.
   if (const char* const own = std::getenv("NAZORI_CHARACTERS")) return own;  // NOLINT(concurrency-mt-unsafe)
   const fs::path data = base::user_data_folder();
   return data.empty() ? fs::path() : data / "characters";
+}
+
+base::Result<Facts> Collection::facts(char32_t code_point) const {
+  auto character = load_character(file_of(code_point), FileParts::without_relief);
+  if (!character) return tl::unexpected(std::move(character).error());
+  return std::move(character->facts);
 }
 
 fs::path Collection::file_of(char32_t code_point) const {

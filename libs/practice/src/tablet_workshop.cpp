@@ -161,9 +161,8 @@ TabletWorkshop::TabletWorkshop(base::Inbox& inbox, path own_characters)
 TabletWorkshop::~TabletWorkshop() = default;
 
 void TabletWorkshop::carve(const kanji::Character& character) {
-  std::optional<char32_t> own = character.own_form;
-  if (!own && kanji::is_own(character.code_point)) own = character.code_point;
-  inside_->latest.request(CarveRequest{character.code_point, own, tablet::tablet_lines(character.lines())});
+  inside_->latest.request(CarveRequest{character.code_point, author::kept_form_of(character),
+                                       tablet::tablet_lines(character.lines())});
 }
 
 void TabletWorkshop::show(const OwnTablet& own) {

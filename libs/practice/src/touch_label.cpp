@@ -24,7 +24,21 @@ Cells joined(Cells line, std::span<const Cells> parts, std::size_t most) {
   return line;
 }
 
+Cells count_of(std::size_t strokes) {
+  return model::kana_braille(std::to_string(strokes) + "かく").value_or(Cells());
+}
+
 }  // namespace
+
+TouchLabel touch_label(const std::string& name, std::size_t strokes) {
+  TouchLabel label;
+  if (auto kana = model::kana_braille(name); kana && !kana->empty())
+    label.lines.push_back(*std::move(kana));
+  else
+    label.meanings.push_back(name);
+  if (strokes > 0) label.lines.push_back(count_of(strokes));
+  return label;
+}
 
 TouchLabel touch_label(const kanji::Character& character) {
   TouchLabel label;
@@ -33,8 +47,7 @@ TouchLabel touch_label(const kanji::Character& character) {
   // A kana is its own name.
   if (auto name = model::kana_braille(kanji::name_of(character).text()); name && !name->empty())
     label.lines.push_back(*std::move(name));
-  label.lines.push_back(
-      model::kana_braille(std::to_string(character.strokes.size()) + "かく").value_or(Cells()));
+  label.lines.push_back(count_of(character.strokes.size()));
   const auto add_readings = [&label](const char* kind, const std::vector<std::string>& readings) {
     std::vector<Cells> parts;
     for (const std::string& reading : readings) {

@@ -56,6 +56,20 @@ std::vector<std::u32string> cells_of_label(
   return lines;
 }
 
+std::vector<std::u32string> cells_of_name(const std::string& name, std::size_t strokes) {
+  std::vector<std::u32string> lines;
+  const auto label = braille_lines(touch_label(name, strokes)).value();
+  for (const auto& cells : label) lines.push_back(patterns(cells));
+  return lines;
+}
+
+TEST(TouchFile, ATabletOfAFileIsCalledByItsName) {
+  EXPECT_THAT(cells_of_name("hill", 0), ElementsAre(U"⠓⠊⠇⠇"));
+  // に and 2 かく, each in Japanese braille.
+  EXPECT_THAT(cells_of_name("に", 2), ElementsAre(U"⠇", U"⠼⠃⠡⠩"));
+  EXPECT_THAT(cells_of_name("二", 1), ElementsAre(U"⠼⠁⠡⠩")) << "kanji have no cells";
+}
+
 TEST(TouchFile, AMillCutsWhereTheStrokesAre) {
   const SolidTablet tablet = two_bars();
   const auto made = mill_file({&tablet, 1}, grooved(60), {}, "二 x二");

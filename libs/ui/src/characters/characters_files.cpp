@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "characters/characters.h"
+#include "nazori/author/collection.h"
 #include "nazori/studio/print/solid_dialog.h"
 #include "nazori/widgets/dialogs/file_exchange.h"
 #include "nazori/widgets/page/window_parts.h"
@@ -38,15 +39,22 @@ void Characters::ask_model() {
   if (practice_.current_stage().hides_character())
     return parts().announce(Feedback::advice, tr("Finish this character first: a model would show it."));
   const auto& own = practice_.own();
-  if (own.tablet)
-    return ask_solid(parts(), {to_text(own.name),
-                               {{{tablet::stroke_lines(own.tablet->lines()), own.tablet->height_map()}, {}}},
-                               {}});
+  if (own.tablet) {
+    std::vector<kanji::StrokeLine> strokes = tablet::stroke_lines(own.tablet->lines());
+    auto label = practice::touch_label(std::filesystem::path(own.name).stem().string(), strokes.size());
+    return ask_solid(
+        parts(),
+        {to_text(own.name), {{{std::move(strokes), own.tablet->height_map()}, std::move(label)}}, {}});
+  }
   const auto& sheet = practice_.sheet();
   if (!sheet || sheet->character.strokes.empty())
     return parts().announce(Feedback::advice, tr("There is no tablet to make a model of yet."));
+  practice::SolidTablet tablet{sheet->character.lines(), {}};
+  // What somebody made has a relief of its own.
+  if (author::kept_form_of(sheet->character) && practice_.tablet())
+    tablet.relief = practice_.tablet()->height_map();
   ask_solid(parts(), {to_text(sheet->character.code_point),
-                      {{{sheet->character.lines(), {}}, practice::touch_label(sheet->character)}},
+                      {{std::move(tablet), practice::touch_label(sheet->character)}},
                       {}});
 }
 

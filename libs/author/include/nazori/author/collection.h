@@ -21,6 +21,9 @@ namespace nazori::author {
 /// one letter counts as a part, so that an own 永 is found by 永.
 [[nodiscard]] kanji::Character kanji_character(const OwnCharacter& character, char32_t code_point);
 
+/// The kept character whose form a character of a database has, if it is not a published form.
+[[nodiscard]] std::optional<char32_t> kept_form_of(const kanji::Character& character);
+
 /// A character of a collection, without the hand's layer.
 struct KeptCharacter {
   char32_t code_point = 0;  ///< kanji::is_own()
@@ -66,6 +69,9 @@ class Collection {
 
   /// One character with all of it. @return Errc::not_found; the errors of load_character().
   [[nodiscard]] base::Result<OwnCharacter> find(char32_t code_point) const;
+
+  /// What is said about one, without reading its relief. @return the errors of load_character().
+  [[nodiscard]] base::Result<Facts> facts(char32_t code_point) const;
 
   /// Keeps a character. If another one replaced the same published character, that one then stands beside it.
   /// @param as  the code point of a kept character that it replaces; none: it is a new one.

@@ -52,6 +52,10 @@ struct TouchLabel {
 /// braille, the on readings before the kun readings. Readings without cells are left out.
 [[nodiscard]] TouchLabel touch_label(const kanji::Character& character);
 
+/// The label of a tablet that is no character: its name, in English or kana, and its number of strokes where
+/// it has any. Another name has no cells and is left out.
+[[nodiscard]] TouchLabel touch_label(const std::string& name, std::size_t strokes);
+
 /// A label line by line. Meanings without cells, and those that do not fit into their line, are left out.
 /// @return the errors of model::english_braille().
 [[nodiscard]] base::Result<std::vector<std::vector<model::BrailleCell>>> braille_lines(
