@@ -15,6 +15,7 @@
 #include "characters.h"
 #include "json_answers.h"
 #include "named.h"
+#include "nazori/author/collection.h"
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
 #include "nazori/exchange/tablets.h"
@@ -149,7 +150,8 @@ int run(Console& console, WorksheetSettings s) {
     return console.refuse({base::Errc::bad_argument, "there is no character to print", "",
                            "name some, or give --grade, --list, --due or --text"});
   }
-  const practice::SheetCharacters found = practice::sheet_characters(*database, *names, s.sheet);
+  const practice::SheetCharacters found =
+      practice::sheet_characters(*database, *names, s.sheet, author::Collection::usual_folder());
   if (database->trouble()) return console.refuse(*database->trouble());
   if (!found.missing.empty()) return console.deny(not_found(found.missing));
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);

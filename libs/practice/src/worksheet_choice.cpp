@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "nazori/author/collection.h"
 #include "nazori/base/utf8.h"
 #include "nazori/practice/extra_study.h"
 #include "nazori/practice/list_members.h"
@@ -41,6 +42,17 @@ std::vector<char32_t> each_once(const Characters& characters) {
   for (const char32_t c : characters)
     if (seen.insert(c).second) all.push_back(c);
   return all;
+}
+
+/// Who made the form of a character. One that cannot be read any more is printed without a name.
+std::optional<print::MadeForm> made_form(const author::Collection& collection,
+                                         const kanji::Character& character) {
+  const auto kept = author::kept_form_of(character);
+  if (!kept) return std::nullopt;
+  const auto facts = collection.facts(*kept);
+  if (!facts) return print::MadeForm();
+  return print::MadeForm{facts->name, facts->rights.author, facts->rights.licence,
+                         facts->rights.source == author::kKanjiVgSource};
 }
 
 }  // namespace
@@ -123,7 +135,8 @@ base::Result<std::vector<char32_t>> chosen_characters(const WorksheetChoice& cho
 
 SheetCharacters sheet_characters(const kanji::KanjiDatabase& database,
                                  std::span<const kanji::CharacterName> names,
-                                 const print::SheetSettings& sheet) {
+                                 const print::SheetSettings& sheet, const std::filesystem::path& own) {
+  const author::Collection collection(own);
   const bool wants_words = sheet.facts || sheet.layout == print::Layout::quiz;
   SheetCharacters all;
   for (const kanji::CharacterName& name : names) {
@@ -135,6 +148,7 @@ SheetCharacters sheet_characters(const kanji::KanjiDatabase& database,
     all.found.push_back({*std::move(character), wants_words
                                                     ? database.words(name.code_point, kMostPrintedWords)
                                                     : std::vector<kanji::Word>()});
+    all.found.back().made = made_form(collection, all.found.back().character);
   }
   return all;
 }

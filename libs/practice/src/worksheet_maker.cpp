@@ -39,7 +39,7 @@ class Bench {
       std::vector<kanji::CharacterName> names;
       names.reserve(code_points.size());
       for (const char32_t c : code_points) names.push_back({c, {}});
-      characters = sheet_characters(database, names, settings);
+      characters = sheet_characters(database, names, settings, book_.source().own);
       if (database.trouble()) return tl::unexpected(*database.trouble());
     }
     missing_.clear();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "learner_under_test.h"
+#include "nazori/author/collection.h"
 
 namespace nazori::practice {
 namespace {
@@ -118,6 +119,44 @@ TEST_F(ChosenCharacters, AreThoseOfTodayAndThoseThatWereForgottenTooOften) {
 }
 
 TEST_F(ChosenCharacters, OfATextAreReadLater) { EXPECT_THAT(chosen(WorksheetSource::text), IsEmpty()); }
+
+TEST_F(ChosenCharacters, NameWhoMadeAForm) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "made_forms";
+  std::filesystem::remove_all(folder);
+  const author::Collection own(folder);
+  author::OwnCharacter sign;
+  sign.facts.name = "our sign";
+  sign.facts.rights = {"CC-BY-4.0", "Hanako Yamada", "a.png"};
+  sign.strokes.push_back({{{{20, 30}, 3, 1}, {{90, 35}, 3, 1}}, kanji::StrokeEnding::stop, {}});
+  const char32_t code_point = own.keep(sign).value();
+  author::OwnCharacter form = sign;
+  form.facts.name = "一";
+  form.facts.instead_of = U'一';
+  form.facts.rights = author::kanjivg_rights();
+  ASSERT_TRUE(own.keep(form));
+  const auto database = author::open_with_own(kanji_db(), own);
+  ASSERT_TRUE(database);
+  const auto found =
+      sheet_characters(*database,
+                       std::vector<kanji::CharacterName>{{code_point, {}}, {U'一', {}}, {U'二', {}}}, {},
+                       folder)
+          .found;
+  ASSERT_EQ(found.size(), 3U);
+  ASSERT_TRUE(found[0].made);
+  EXPECT_EQ(found[0].made->name, "our sign");
+  EXPECT_EQ(found[0].made->author, "Hanako Yamada");
+  EXPECT_EQ(found[0].made->licence, "CC-BY-4.0");
+  EXPECT_FALSE(found[0].made->is_from_kanjivg);
+  ASSERT_TRUE(found[1].made);
+  EXPECT_TRUE(found[1].made->is_from_kanjivg);
+  EXPECT_FALSE(found[2].made);
+  // Removed meanwhile, it is still printed.
+  ASSERT_TRUE(own.remove(code_point));
+  const auto gone =
+      sheet_characters(*database, std::vector<kanji::CharacterName>{{code_point, {}}}, {}, folder).found;
+  ASSERT_TRUE(gone.at(0).made);
+  EXPECT_EQ(gone[0].made->name, "");
+}
 
 TEST_F(ChosenCharacters, HaveWordsOnlyWhereTheSheetShowsThem) {
   const auto database = kanji::KanjiDatabase::open(kanji_db());

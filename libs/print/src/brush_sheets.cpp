@@ -63,7 +63,7 @@ void Sheets::brush_sheet(std::size_t first, std::optional<double> grey) {
     const std::size_t i = first + static_cast<std::size_t>(place);
     used_.insert(i);
     canvas.character(static_cast<int>(i), square, *grey);
-    annotate(canvas, characters_[i].character, square);
+    annotate(canvas, characters_[i], square);
   }
 }
 

@@ -19,8 +19,7 @@ void Sheets::card_front(Canvas& canvas, std::size_t i, const Rect& card) {
   used_.insert(i);
   canvas.character(static_cast<int>(i), box, 0);
   if (s_.numbers) draw_numbers(canvas, characters_[i].character, box);
-  const char32_t text[] = {characters_[i].character.code_point};
-  canvas.text(box.x, box.y + side * 0.88, {text, 1}, side, 0, true);
+  place_text(canvas, characters_[i], box);
 }
 
 void Sheets::card_back(std::size_t i, const Rect& card) {

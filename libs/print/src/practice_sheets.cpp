@@ -56,11 +56,15 @@ void Sheets::draw_facts(const SheetCharacter& one, const Flow& flow, double alon
   }
 }
 
-void Sheets::annotate(Canvas& canvas, const kanji::Character& character, const Rect& box) {
-  if (s_.arrows) draw_arrows(canvas, character, box);
-  if (s_.numbers) draw_numbers(canvas, character, box);
-  const char32_t text[] = {character.code_point};
-  canvas.text(box.x, box.y + box.height * 0.88, {text, 1}, box.width, 0, true);
+void Sheets::annotate(Canvas& canvas, const SheetCharacter& one, const Rect& box) {
+  if (s_.arrows) draw_arrows(canvas, one.character, box);
+  if (s_.numbers) draw_numbers(canvas, one.character, box);
+  place_text(canvas, one, box);
+}
+
+void Sheets::place_text(Canvas& canvas, const SheetCharacter& one, const Rect& box) {
+  const std::u32string text = text_of(one);
+  canvas.text(box.x, box.y + box.height * 0.88, text, box.width / std::max(1.0, fonts_.width(text)), 0, true);
 }
 
 void Sheets::draw_model(const SheetCharacter& one, std::size_t i, const Rect& box) {
@@ -68,7 +72,7 @@ void Sheets::draw_model(const SheetCharacter& one, std::size_t i, const Rect& bo
   place_cell(canvas, box, s_.guide);
   used_.insert(i);
   canvas.character(static_cast<int>(i), box, 0);
-  annotate(canvas, one.character, box);
+  annotate(canvas, one, box);
 }
 
 void Sheets::practice(std::size_t i) {

@@ -52,7 +52,7 @@ void Sheets::quiz_line(const kanji::Word& word, const Flow& flow, double across,
     } else if (answer) {
       used_.insert(known->second);
       canvas.character(static_cast<int>(known->second), box, 0);
-      canvas.text(box.x + inset, box.y + s_.cell_mm * 0.8, {&letter, 1}, size, 0, true);
+      place_text(canvas, characters_[known->second], {box.x + inset, box.y + inset, size, size});
     }
   }
 }

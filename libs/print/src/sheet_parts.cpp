@@ -9,6 +9,7 @@
 #include "nazori/base/utf8.h"
 #include "nazori/geometry/polyline.h"
 #include "nazori/geometry/svg_path.h"
+#include "nazori/kanji/own_characters.h"
 
 namespace nazori::print {
 namespace {
@@ -160,6 +161,30 @@ Facts facts_of(const kanji::Character& character) {
     facts.meanings += (count++ == 0 ? U"" : U", ") + wide(meaning.text);
   }
   return facts;
+}
+
+std::u32string text_of(const SheetCharacter& one) {
+  if (kanji::is_own(one.character.code_point) && one.made && !one.made->name.empty())
+    return wide(one.made->name);
+  return {one.character.code_point};
+}
+
+std::u32string credits_of(std::span<const SheetCharacter> characters) {
+  bool is_published = false;
+  std::vector<std::string> makers;
+  for (const SheetCharacter& one : characters) {
+    const auto& made = one.made;
+    is_published = is_published || !made || made->is_from_kanjivg;
+    // A copy of a published form names its authors, and the line does so already.
+    if (!made || made->author.empty() ||
+        (made->is_from_kanjivg && made->author.find("KanjiVG") != std::string::npos))
+      continue;
+    std::string maker = made->author + (made->licence.empty() ? "" : ", " + made->licence);
+    if (std::ranges::find(makers, maker) == makers.end()) makers.push_back(std::move(maker));
+  }
+  std::string line = is_published ? "KanjiVG, CC BY-SA 3.0" : "";
+  for (const std::string& maker : makers) line += (line.empty() ? "" : "; ") + maker;
+  return wide((line.empty() ? "" : "Strokes: " + line + ". ") + "Made with Nazori.");
 }
 
 std::u32string cut(Fonts& fonts, std::u32string text, double most) {

@@ -56,6 +56,12 @@ struct Facts {
 };
 [[nodiscard]] Facts facts_of(const kanji::Character& character);
 
+/// A character as text that can be searched for: of one that somebody made, which has no letter, its name.
+[[nodiscard]] std::u32string text_of(const SheetCharacter& one);
+
+/// Who made the strokes of a document, as their licences ask.
+[[nodiscard]] std::u32string credits_of(std::span<const SheetCharacter> characters);
+
 /// A text cut where it does not fit.
 [[nodiscard]] std::u32string cut(Fonts& fonts, std::u32string text, double most);
 

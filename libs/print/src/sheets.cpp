@@ -3,10 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace nazori::print {
+
+namespace {
+
+constexpr double kPageNumber_mm = 2.6;
+constexpr double kCredits_mm = 1.9;
+
+}  // namespace
 
 Size size_of(const SheetSettings& s) {
   const PaperSize paper = paper_size(s.paper);
@@ -24,12 +32,13 @@ Canvas& Sheets::new_page(bool with_header) {
     draw_header(canvas);
     begin_mark();
   }
-  // The licence of the strokes asks to name their source.
-  canvas.text(kMargin_mm, size_.height - kMargin_mm - 0.6,
-              U"Strokes: KanjiVG, CC BY-SA 3.0. Made with Nazori.", 1.9, 0.5);
   const std::u32string page = wide(std::to_string(pages_.size()));
-  canvas.text(size_.width - kMargin_mm - fonts_.width(page) * 2.6, size_.height - kMargin_mm - 0.6, page, 2.6,
-              0.3);
+  const double number_left = size_.width - kMargin_mm - fonts_.width(page) * kPageNumber_mm;
+  const double base_line = size_.height - kMargin_mm - 0.6;
+  canvas.text(number_left, base_line, page, kPageNumber_mm, 0.3);
+  // The licence of the strokes asks to name their source. Many makers stand in smaller letters.
+  const double room = number_left - kMargin_mm - kPageNumber_mm;
+  canvas.text(kMargin_mm, base_line, credits_, std::min(kCredits_mm, room / fonts_.width(credits_)), 0.5);
   return canvas;
 }
 

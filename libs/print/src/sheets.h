@@ -55,7 +55,11 @@ struct Size {
 class Sheets {
  public:
   Sheets(const std::vector<SheetCharacter>& characters, const SheetSettings& settings, Fonts fonts)
-      : characters_(characters), s_(settings), fonts_(std::move(fonts)), size_(size_of(settings)) {
+      : characters_(characters),
+        s_(settings),
+        fonts_(std::move(fonts)),
+        size_(size_of(settings)),
+        credits_(credits_of(characters)) {
     for (std::size_t i = 0; i < characters.size(); ++i)
       index_.emplace(base::encode_utf8(characters[i].character.code_point), i);
   }
@@ -92,11 +96,13 @@ class Sheets {
   void draw_facts(const SheetCharacter& one, const Flow& flow, double along, double across, double length,
                   double depth);
   /// What may stand over the strokes of a character: arrows and numbers; and the character as invisible text.
-  void annotate(Canvas& canvas, const kanji::Character& character, const Rect& box);
+  void annotate(Canvas& canvas, const SheetCharacter& one, const Rect& box);
   /// 0 for the first of the copies that fade, 1 for the last.
   [[nodiscard]] double faded(int copy) const {
     return s_.copies > 1 ? static_cast<double>(copy) / (s_.copies - 1) : 0;
   }
+  /// The character as invisible text over a square, so that it can be searched for and copied.
+  void place_text(Canvas& canvas, const SheetCharacter& one, const Rect& box);
   void draw_model(const SheetCharacter& one, std::size_t i, const Rect& box);
   void quiz();
   void quiz_line(const kanji::Word& word, const Flow& flow, double across, Canvas& canvas, bool answer);
@@ -128,6 +134,7 @@ class Sheets {
   const SheetSettings& s_;
   Fonts fonts_;
   Size size_;
+  std::u32string credits_;
   std::map<std::string, std::size_t> index_;
   std::vector<std::unique_ptr<Canvas>> pages_;
   /// A cell of one size, which is written once and placed often: side in micrometres, kind.

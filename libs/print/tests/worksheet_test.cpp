@@ -118,6 +118,61 @@ TEST(Worksheet, ItsTextIsReadBackAsTheRightCharacters) {
   EXPECT_THAT(text, Not(HasSubstr("⽇")));
 }
 
+/// The strokes of 一 as a sign of somebody's own.
+SheetCharacter own_sign(char32_t code_point, MadeForm made) {
+  SheetCharacter one{database().find(U'一').value(), {}};
+  one.character.code_point = code_point;
+  one.made = std::move(made);
+  return one;
+}
+
+TEST(Worksheet, ASignOfOnesOwnIsReadBackByItsName) {
+  SheetSettings cards;
+  cards.layout = Layout::cards;
+  SheetSettings quiz;
+  quiz.layout = Layout::quiz;
+  quiz.answers = true;
+  for (const SheetSettings& settings : {SheetSettings{}, cards, quiz}) {
+    const PrintedPages paper(worksheet_pdf({own_sign(0xF1A2B, {"our sign", "", "", false})}, settings));
+    EXPECT_THAT(paper.text(), HasSubstr("our sign")) << static_cast<int>(settings.layout);
+    EXPECT_THAT(paper.text(), Not(HasSubstr("〓"))) << static_cast<int>(settings.layout);
+  }
+  SheetCharacter form = own_sign(U'一', {"bar", "", "", false});
+  form.character.own_form = 0xF1A2B;
+  EXPECT_THAT(PrintedPages(worksheet_pdf({form}, {})).text(), HasSubstr("一"))
+      << "it is the published character";
+}
+
+TEST(Worksheet, ItNamesWhoMadeItsStrokes) {
+  const auto credits = [](const std::vector<SheetCharacter>& all) {
+    const std::string text = PrintedPages(worksheet_pdf(all, {})).text();
+    const std::size_t begin = text.find("Strokes:");
+    if (begin == std::string::npos)
+      return std::string(text.find("Made with Nazori.") != std::string::npos ? "none" : "");
+    return text.substr(begin, text.find(" Made with Nazori.") - begin);
+  };
+  const SheetCharacter published = characters(U"一").front();
+  const SheetCharacter drawn = own_sign(0xF1A2B, {"our sign", "Hanako Yamada", "CC-BY-4.0", false});
+  const SheetCharacter nameless = own_sign(0xF1A2C, {"mark", "", "", false});
+  const SheetCharacter corrected =
+      own_sign(0xF1A2D, {"一", "Ulrich Apel and the KanjiVG contributors", "CC-BY-SA-3.0", true});
+  const SheetCharacter changed = own_sign(0xF1A2E, {"一", "Hanako Yamada", "CC-BY-SA-3.0", true});
+  EXPECT_EQ(credits({published}), "Strokes: KanjiVG, CC BY-SA 3.0.");
+  EXPECT_EQ(credits({corrected}), "Strokes: KanjiVG, CC BY-SA 3.0.");
+  EXPECT_EQ(credits({drawn, drawn}), "Strokes: Hanako Yamada, CC-BY-4.0.");
+  EXPECT_EQ(credits({nameless}), "none");
+  EXPECT_EQ(credits({published, drawn}), "Strokes: KanjiVG, CC BY-SA 3.0; Hanako Yamada, CC-BY-4.0.");
+  EXPECT_EQ(credits({changed}), "Strokes: KanjiVG, CC BY-SA 3.0; Hanako Yamada, CC-BY-SA-3.0.");
+  std::vector<SheetCharacter> many;
+  for (int i = 0; i < 12; ++i)
+    many.push_back(
+        own_sign(0xF1A30 + static_cast<char32_t>(i),
+                 {"mark", "A maker with a long name, number " + std::to_string(i), "CC-BY-4.0", false}));
+  const PrintedPages crowded(worksheet_pdf(many, {}));
+  EXPECT_THAT(crowded.text(), HasSubstr("number 11, CC-BY-4.0"));
+  for (const double free : crowded.free_mm(1)) EXPECT_GE(free, kMargin_mm - kBlur_mm);
+}
+
 TEST(Worksheet, ItsFontsAreEmbeddedSubsetsWithText) {
   const PrintedPages paper(worksheet_pdf(characters(U"休"), {}));
   const std::string fonts = paper.run("pdffonts a.pdf");

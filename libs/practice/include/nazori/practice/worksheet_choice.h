@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -60,8 +61,10 @@ struct SheetCharacters {
   std::vector<kanji::CharacterName> missing;  ///< not in the database
 };
 /// Reads characters, and words where the sheet shows some. The caller asks database.trouble() afterwards.
+/// @param own  the folder of the characters that somebody made, which says who did; empty: there are none.
 [[nodiscard]] SheetCharacters sheet_characters(const kanji::KanjiDatabase& database,
                                                std::span<const kanji::CharacterName> names,
-                                               const print::SheetSettings& sheet);
+                                               const print::SheetSettings& sheet,
+                                               const std::filesystem::path& own = {});
 
 }  // namespace nazori::practice

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -102,10 +103,19 @@ inline constexpr double kLargestCell_mm = 60;
 /// Nothing is printed closer to an edge of the paper; of a booklet, to an edge of its page.
 inline constexpr double kMargin_mm = 12;
 
+/// What is said about a form that somebody made. Texts may be empty.
+struct MadeForm {
+  std::string name;              ///< "永" or "our sign"
+  std::string author;            ///< to be named with every copy
+  std::string licence;           ///< SPDX name or a sentence
+  bool is_from_kanjivg = false;  ///< made from a published form
+};
+
 /// A character to print, with words that are written with it.
 struct SheetCharacter {
   kanji::Character character;
   std::vector<kanji::Word> words;
+  std::optional<MadeForm> made = {};  ///< nothing for a published form
 };
 
 /// A document whose pages are laid out: they can be shown one by one, and written as PDF. What is shown is
