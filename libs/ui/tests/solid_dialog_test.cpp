@@ -191,6 +191,13 @@ TEST_F(SolidDialogTest, FilesAreMadeForTheMachinesThatWereChosen) {
   EXPECT_FALSE(part<QSpinBox>("solid_layers")->isVisible());
   EXPECT_TRUE(part<QComboBox>("solid_paper")->isVisible());
   part<QComboBox>("solid_english")->setCurrentIndex(1);
+  part<QSpinBox>("solid_columns")->setValue(20);
+  part<QSpinBox>("solid_lines")->setValue(30);
+  EXPECT_EQ(saved(QStringLiteral("b.brf")).section(QLatin1Char('\f'), 0, 0).count(QLatin1Char('\n')), 30);
+  open_dialog();
+  EXPECT_EQ(part<QSpinBox>("solid_columns")->value(), 20);
+  EXPECT_EQ(part<QSpinBox>("solid_lines")->value(), 30);
+  part<QSpinBox>("solid_columns")->setValue(40);
   EXPECT_TRUE(saved(QStringLiteral("a.brf")).contains(QStringLiteral("\nRE/  ")));  // rest, with its st
   open_dialog();
   EXPECT_EQ(part<QComboBox>("solid_english")->currentIndex(), 1);
@@ -207,6 +214,10 @@ TEST_F(SolidDialogTest, FilesAreMadeForTheMachinesThatWereChosen) {
   EXPECT_EQ(part<QSpinBox>("solid_layers")->value(), 4);
   part<QDoubleSpinBox>("solid_cutter")->setValue(1);
   part<QDoubleSpinBox>("solid_pass")->setValue(0.5);
+  part<QDoubleSpinBox>("solid_feed")->setValue(430);
+  part<QDoubleSpinBox>("solid_plunge")->setValue(170);
+  part<QDoubleSpinBox>("solid_safe")->setValue(7);
+  part<QDoubleSpinBox>("solid_spindle")->setValue(9000);
   change([this] { part<QDoubleSpinBox>("solid_depth")->setValue(2); });
   const QString mill = saved(QStringLiteral("a.nc"));
   const auto deepest = [&mill] {
@@ -217,6 +228,14 @@ TEST_F(SolidDialogTest, FilesAreMadeForTheMachinesThatWereChosen) {
     return lowest;
   };
   EXPECT_NEAR(deepest(), -2, 0.1);
+  for (const char* word : {"F430", "F170", "Z7", "S9000"})
+    EXPECT_TRUE(mill.contains(QString::fromLatin1(word))) << word;
+  open_dialog();
+  EXPECT_EQ(part<QDoubleSpinBox>("solid_feed")->value(), 430);
+  // Lines of the last pass that are farther apart make a shorter program.
+  change([this] { part<QDoubleSpinBox>("solid_depth")->setValue(2); });
+  part<QDoubleSpinBox>("solid_step_over")->setValue(0.6);
+  EXPECT_LT(saved(QStringLiteral("b.nc")).size(), mill.size());
 }
 
 TEST_F(SolidDialogTest, MachinesHaveTheRangesOfTheCommandLine) {
@@ -227,6 +246,15 @@ TEST_F(SolidDialogTest, MachinesHaveTheRangesOfTheCommandLine) {
   };
   EXPECT_EQ(range("solid_cutter"), std::pair(0.2, 20.0));
   EXPECT_EQ(range("solid_pass"), std::pair(0.05, 50.0));
+  EXPECT_EQ(range("solid_step_over"), std::pair(0.02, 5.0));
+  EXPECT_EQ(range("solid_safe"), std::pair(1.0, 100.0));
+  EXPECT_EQ(range("solid_feed"), std::pair(10.0, 20'000.0));
+  EXPECT_EQ(range("solid_plunge"), std::pair(10.0, 20'000.0));
+  EXPECT_EQ(range("solid_spindle"), std::pair(0.0, 60'000.0));
+  for (const char* name : {"solid_columns", "solid_lines"}) {
+    EXPECT_EQ(part<QSpinBox>(name)->minimum(), 12) << name;
+    EXPECT_EQ(part<QSpinBox>(name)->maximum(), 100) << name;
+  }
   EXPECT_EQ(part<QSpinBox>("solid_layers")->minimum(), 1);
   EXPECT_EQ(part<QSpinBox>("solid_layers")->maximum(), 64);
   EXPECT_EQ(part<QComboBox>("solid_paper")->count(), 3);
