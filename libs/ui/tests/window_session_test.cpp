@@ -52,7 +52,7 @@ class SessionWindow : public StudyTest {
       const std::string at = std::to_string(text_pt) + " pt, " + std::to_string(width) + " x " +
                              std::to_string(height) + ", " + when;
       EXPECT_GE(share_of_tablet(), 0.5) << at;
-      EXPECT_EQ(cut(), QStringList()) << at;
+      EXPECT_EQ(cut().join(QStringLiteral(", ")).toStdString(), "") << at;
       const int least = find("question_view")->minimumSizeHint().height();
       EXPECT_GE(find("question_view")->height(), std::min(least, find("question_view")->maximumHeight()))
           << at;

@@ -100,7 +100,8 @@ void SessionAnswers::show_state() {
   const int rows = width() < metrics.height() * kRoomForFour_em ? 2 : 1;
   const int least =
       std::max(rows * height_of(metrics) + (rows - 1) * grid_->spacing(), next_->sizeHint().height());
-  setMinimumHeight(least + 2 * kMargin_px);
+  const int border = height() - contentsRect().height();
+  setMinimumHeight(least + 2 * kMargin_px + border);
 }
 
 void SessionAnswers::set_left_handed(bool left) {

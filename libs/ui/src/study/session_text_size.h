@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "nazori/practice/session_question.h"
+#include "nazori/widgets/words/line_stretch.h"
 
 namespace nazori::ui {
 
@@ -23,8 +24,9 @@ namespace nazori::ui {
   constexpr double kSmaller = 0.85;
   constexpr double kSmallest = 0.72;
   QFont own = QApplication::font();
-  if (own.pointSizeF() > kUsual_pt)
-    own.setPointSizeF(own.pointSizeF() * (room == practice::QuestionRoom::line ? kSmallest : kSmaller));
+  if (own.pointSizeF() <= kUsual_pt) return own;
+  const bool is_low = room == practice::QuestionRoom::line;
+  own.setPointSizeF(own.pointSizeF() * (is_low ? kSmallest / line_stretch(own) : kSmaller));
   return own;
 }
 

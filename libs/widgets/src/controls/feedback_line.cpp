@@ -6,11 +6,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QResizeEvent>
+#include <algorithm>
 
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/controls/spoken_line.h"
 #include "nazori/widgets/look/icons.h"
 #include "nazori/widgets/look/palette.h"
+#include "nazori/widgets/words/line_stretch.h"
 #include "nazori/widgets/words/own_names.h"
 
 namespace nazori::ui {
@@ -19,6 +21,8 @@ namespace {
 constexpr int kRoomForTwo_em = 32;
 constexpr int kMargin_px = 9;
 constexpr double kCompact = 0.72;
+constexpr double kLeast = 0.5;
+constexpr double kStep = 0.94;
 
 }  // namespace
 
@@ -44,6 +48,7 @@ void FeedbackLine::announce(Feedback kind, const QString& sentence) {
   draw_sign();
   if (text_->text() == sentence) return;
   text_->setText(sentence);
+  if (is_compact_) fit();
   speak(sentence);
 }
 
@@ -86,9 +91,24 @@ void FeedbackLine::set_compact(bool is_compact) {
   fit();
 }
 
+double FeedbackLine::compact_pt() const {
+  QFont own = font();
+  const double least = own.pointSizeF() * kLeast;
+  double size = own.pointSizeF() * kCompact / line_stretch(own);
+  // A long sentence is written smaller until two lines hold it.
+  const QRect room(0, 0, std::max(text_->width(), 1), QWIDGETSIZE_MAX);
+  for (own.setPointSizeF(size); size > least; own.setPointSizeF(size *= kStep)) {
+    const QFontMetrics metrics(own);
+    const int all = metrics.boundingRect(room, Qt::TextWordWrap, text_->text()).height();
+    const int one = metrics.boundingRect(room, Qt::TextSingleLine, text_->text()).height();
+    if (all <= 2 * one) break;
+  }
+  return size;
+}
+
 void FeedbackLine::fit() {
   QFont own = font();
-  if (is_compact_) own.setPointSizeF(own.pointSizeF() * kCompact);
+  if (is_compact_) own.setPointSizeF(compact_pt());
   if (text_->font() != own) text_->setFont(own);
   const int margin = is_compact_ ? kMargin_px / 3 : kMargin_px;
   layout()->setContentsMargins(16, margin, 16, margin);

@@ -34,6 +34,8 @@ class FeedbackLine final : public QFrame {
 
  private:
   void fit();
+  /// Size of the text in a low window.
+  [[nodiscard]] double compact_pt() const;
   void draw_sign();
   void speak(const QString& sentence);
 
