@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nazori/calligraphy/sheet_export.h"
+#include "nazori/calligraphy/teacher_hand.h"
 
 namespace nazori::calligraphy {
 namespace {
@@ -244,6 +245,14 @@ void BrushWriting::advise(std::vector<SheetModel> models, const AdviceOptions& o
     editor.lift_pen();
     Outcome outcome{Task::advise};
     outcome.advice = calligraphy::advise(editor.written(), ink_on(editor.sheet()), models, options);
+    return outcome;
+  });
+}
+
+void BrushWriting::request_hand(std::vector<ModelStroke> strokes) {
+  ask([strokes = std::move(strokes)](SheetEditor& editor) -> std::optional<Outcome> {
+    Outcome outcome{Task::hand};
+    outcome.hand = teacher_hand(strokes, BrushWidths(form_of(editor.brush_choice())));
     return outcome;
   });
 }

@@ -63,6 +63,23 @@ class BrushWritingTest : public testing::Test {
   Outcome last_;
 };
 
+TEST_F(BrushWritingTest, TheHandOfATeacherIsMadeForTheBrushInUse) {
+  const auto strokes = strokes_of({test::three(), only_square()});
+  const auto hardest = [&] {
+    writing_.request_hand(strokes);
+    const Outcome& made = outcome();
+    EXPECT_EQ(made.task, Task::hand);
+    double pressure = 0;
+    for (const auto& sample : made.hand) pressure = std::max(pressure, sample.pressure.value_or(0));
+    return pressure;
+  };
+  writing_.set_brush({BrushSize::large, brush::Hair::mixed});
+  const double thick = hardest();
+  writing_.set_brush({BrushSize::medium, brush::Hair::mixed});
+  EXPECT_GT(hardest(), thick) << "a thinner brush must be pressed harder";
+  EXPECT_EQ(writing_.state().strokes, 0) << "nothing is written yet";
+}
+
 TEST_F(BrushWritingTest, BeginsWithThePictureOfAnEmptySheet) {
   EXPECT_EQ(tiles_, 16);  // 4 x 4 of 32 pixels
   EXPECT_EQ(last_tile_.column, 96);

@@ -11,14 +11,10 @@
 namespace nazori::practice {
 namespace {
 
-// A pen pressed this firmly touches the bottom of the deepest groove.
-constexpr double kPressure = 0.8;
 // Nearer than this to an end of a stroke the pen is at that end.
 constexpr double kAtEnd_m = 1.5e-3;
-
-geometry::TabletShape shape_of(const TabletControl& tablet) {
-  return tablet.tablet() ? tablet.tablet()->shape() : geometry::TabletShape{};
-}
+// Of strokes that are equally near the first is named, whatever rounding says.
+constexpr double kSame_m = 1e-9;
 
 }  // namespace
 
@@ -38,13 +34,13 @@ void KeyPen::end() {
     is_down_ = false;
     send();
   }
-  tablet_.lift_stylus();
+  ground_.take_pen_away();
 }
 
 KeyPenEvent KeyPen::step(int right, int up, bool fine) {
   assert(in_use_ && std::abs(right) <= 1 && std::abs(up) <= 1);
   const double step_m = fine ? kFineStep_m : kStep_m;
-  const double edge_m = shape_of(tablet_).width_m / 2;
+  const double edge_m = ground_.side_m() / 2;
   const geometry::TabletPoint to{std::clamp(at_.x + right * step_m, -edge_m, edge_m),
                                  std::clamp(at_.y + up * step_m, -edge_m, edge_m)};
   if (to == at_) return {KeyPenDid::at_border, where()};
@@ -60,16 +56,15 @@ KeyPenEvent KeyPen::press() {
 
 KeyPenEvent KeyPen::go_to_next_start() {
   assert(in_use_);
-  const int count = tablet_.stroke_count();
+  const int count = ground_.stroke_count();
   if (count == 0) return {KeyPenDid::no_strokes, where()};
   if (is_down_) {
     is_down_ = false;
     send();
   }
-  const int alone = tablet_.current_stroke();
+  const int alone = ground_.only_stroke();
   visited_ = alone > 0 ? alone : visited_ % count + 1;
-  const auto& line = tablet_.tablet()->lines()[static_cast<std::size_t>(visited_ - 1)].points;
-  at_ = geometry::glyph_to_tablet(line.front(), shape_of(tablet_));
+  at_ = ground_.line(visited_).front();
   send();
   KeyPenPlace place = where();
   // Where strokes start at one point, the one that was asked for is meant.
@@ -84,33 +79,25 @@ KeyPenPlace KeyPen::place_at(geometry::TabletPoint at) const {
   KeyPenPlace place;
   place.at = at;
   place.is_down = is_down_;
-  const geometry::TabletShape shape = shape_of(tablet_);
-  place.from_left = at.x / shape.width_m + 0.5;
-  place.from_top = 0.5 - at.y / shape.width_m;
-  if (!tablet_.tablet()) return place;
-  const surface::SmoothSurface& surface = *tablet_.tablet()->surface();
-  const auto grid = geometry::tablet_to_grid(at, surface.size(), shape);
-  place.depth = std::clamp(1 - surface.at(grid.x, grid.y).height, 0.0, 1.0);
-  const auto& lines = tablet_.tablet()->lines();
-  const auto glyph = geometry::tablet_to_glyph(at, shape);
-  const double to_metres = shape.width_m / geometry::kGlyphSide;
+  place.from_left = at.x / ground_.side_m() + 0.5;
+  place.from_top = 0.5 - at.y / ground_.side_m();
+  place.depth = ground_.depth(at);
   double nearest_m = kReach_m;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const int number = static_cast<int>(i) + 1;
-    if (tablet_.current_stroke() != 0 && tablet_.current_stroke() != number) continue;
-    const std::span<const geometry::GlyphPoint> line(lines[i].points);
-    if (line.empty()) continue;
-    const auto found = geometry::nearest_point(line, glyph);
-    const double off_m = found.distance * to_metres;
-    if (off_m > nearest_m || (place.stroke != 0 && off_m == nearest_m)) continue;
-    nearest_m = off_m;
+  for (int number = 1; number <= ground_.stroke_count(); ++number) {
+    if (ground_.only_stroke() != 0 && ground_.only_stroke() != number) continue;
+    const KeyPenGround::Line points = ground_.line(number);
+    if (points.empty()) continue;
+    const std::span<const geometry::TabletPoint> line(points);
+    const auto found = geometry::nearest_point(line, at);
+    if (found.distance > nearest_m - (place.stroke != 0 ? kSame_m : 0)) continue;
+    nearest_m = found.distance;
     place.stroke = number;
     const double length = geometry::arc_length(line);
     const double left = length - found.arc_length;
     place.along = length > 0 ? found.arc_length / length : 0;
-    if (found.arc_length * to_metres < kAtEnd_m && found.arc_length <= left)
+    if (found.arc_length < kAtEnd_m && found.arc_length <= left)
       place.along = 0;
-    else if (left * to_metres < kAtEnd_m)
+    else if (left < kAtEnd_m)
       place.along = 1;
   }
   return place;
@@ -129,7 +116,7 @@ KeyPenEvent KeyPen::arrive(geometry::TabletPoint at) {
   return {same ? KeyPenDid::moved : KeyPenDid::met_stroke, now};
 }
 
-void KeyPen::send() { tablet_.move_stylus(at_, is_down_, is_down_ ? kPressure : 0); }
+void KeyPen::send() { ground_.move_pen(at_, is_down_); }
 
 functions::Cue cue_of(const KeyPenPlace& place) {
   constexpr double kLowest_hz = 200;

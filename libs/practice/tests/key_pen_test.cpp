@@ -36,7 +36,8 @@ class KeyPenOnATablet : public testing::Test {
   }
 
   RunningTablet tablet;
-  KeyPen pen{tablet};
+  TabletGround ground{tablet};
+  KeyPen pen{ground};
 };
 
 TEST_F(KeyPenOnATablet, BeginsInTheMiddleAboveTheTablet) {
@@ -177,6 +178,72 @@ TEST_F(KeyPenOnATablet, WhatIsWrittenFillsTheStroke) {
   }
   ASSERT_TRUE(
       tablet.wait_for([&] { return !tablet.ink().progress().empty() && tablet.ink().progress()[0] > 0.95; }));
+}
+
+struct Written {
+  double x, y;
+  bool is_down;
+  double pressure;
+  friend bool operator==(const Written&, const Written&) = default;
+};
+
+class KeyPenOnASheet : public testing::Test {
+ protected:
+  std::vector<Written> written;
+  int taken_away = 0;
+  SheetGround ground{0.1,
+                     [this](TabletPoint at, bool down, double pressure) {
+                       written.push_back({at.x, at.y, down, pressure});
+                     },
+                     [this] { ++taken_away; }};
+  KeyPen pen{ground};
+};
+
+TEST_F(KeyPenOnASheet, WritesWithTheBrushUntilItIsLifted) {
+  (void)pen.begin();
+  EXPECT_EQ(written.back(), (Written{0, 0, false, 0}));
+  EXPECT_EQ(pen.press().did, KeyPenDid::put_down);
+  EXPECT_EQ(written.back(), (Written{0, 0, true, 0.5}));
+  (void)pen.step(1, 0);
+  EXPECT_EQ(written.back(), (Written{2e-3, 0, true, 0.5}));
+  pen.end();
+  EXPECT_EQ(written.back(), (Written{2e-3, 0, false, 0}));
+  EXPECT_EQ(taken_away, 1);
+  EXPECT_EQ(pen.where().depth, 0);
+}
+
+TEST_F(KeyPenOnASheet, PressesHarderAndSofterInStepsUpToItsLimits) {
+  (void)pen.begin();
+  EXPECT_TRUE(ground.press_harder(1));
+  EXPECT_NEAR(ground.pressure(), 0.6, 1e-12);
+  EXPECT_EQ(written.size(), 1U) << "above the paper nothing is written";
+  (void)pen.press();
+  EXPECT_TRUE(ground.press_harder(-2));
+  EXPECT_NEAR(written.back().pressure, 0.4, 1e-12);
+  EXPECT_TRUE(written.back().is_down);
+  for (int i = 0; i < 6; ++i) EXPECT_TRUE(ground.press_harder(1)) << i;
+  EXPECT_EQ(ground.pressure(), 1);
+  EXPECT_FALSE(ground.press_harder(1));
+  for (int i = 0; i < 9; ++i) EXPECT_TRUE(ground.press_harder(-1)) << i;
+  EXPECT_NEAR(ground.pressure(), 0.1, 1e-12);
+  EXPECT_FALSE(ground.press_harder(-1));
+}
+
+TEST_F(KeyPenOnASheet, GoesFromStartToStartOfTheModelsThatAreShown) {
+  EXPECT_EQ(pen.begin().place.stroke, 0);
+  EXPECT_EQ(pen.go_to_next_start().did, KeyPenDid::no_strokes);
+  ground.set_strokes({{{-0.03, 0.02}, {0.03, 0.02}}, {{0.01, 0.04}, {0.01, -0.04}}});
+  EXPECT_EQ(pen.go_to_next_start().place.at, (TabletPoint{-0.03, 0.02}));
+  const auto second = pen.go_to_next_start();
+  EXPECT_EQ(second.did, KeyPenDid::at_start);
+  EXPECT_EQ(second.place.stroke, 2);
+  EXPECT_EQ(second.place.at, (TabletPoint{0.01, 0.04}));
+  EXPECT_NEAR(second.place.from_left, 0.6, 1e-12);
+  EXPECT_NEAR(second.place.from_top, 0.1, 1e-12);
+  KeyPenEvent last;
+  for (int i = 0; i < 40; ++i) last = pen.step(0, -1);
+  EXPECT_EQ(last.did, KeyPenDid::at_end);
+  EXPECT_EQ(last.place.stroke, 2);
 }
 
 TEST(CueOfAKeyPen, PitchIsTheHeightAndPanTheSide) {

@@ -345,6 +345,17 @@ brush_font F
 brush_model_text T
 brush_next_model .
 brush_previous_model ,
+-
+brush_watch V
+[By key]
+*brush_by_key M
+-
+brush_press U
+brush_start N
+brush_where K
+-
+brush_harder +
+brush_softer -
 [Study]
 brush_review Ctrl+Return
 brush_go_on Return Enter

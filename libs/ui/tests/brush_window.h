@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <functional>
 #include <memory>
@@ -70,6 +71,14 @@ class BrushWindow : public WindowTest {
       send_mouse(QEvent::MouseMove, on_paper(0.25 + 0.5 * i / kMoves, y), Qt::NoButton);
     send_mouse(QEvent::MouseButtonRelease, on_paper(0.75, y), Qt::LeftButton);
     wait_until([&] { return state().strokes == before + 1 && !state().is_writing; });
+    settle();
+  }
+  /// Types the text of the model and waits until its strokes are known.
+  void take_model(const QString& text) {
+    auto* line = find<QLineEdit>("brush_text");
+    line->setText(text);
+    emit line->textEdited(text);
+    wait_until([&] { return paper()->accessibleDescription().contains(text) && !paper()->model().empty(); });
     settle();
   }
   /// How dark the sheet is there, 0 paper to 255.

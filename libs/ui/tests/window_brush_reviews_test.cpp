@@ -112,7 +112,9 @@ TEST_F(BrushReviews, ACharacterIsWrittenComparedRatedAndSavedApartFromMemory) {
   const study::Card before = store().card(character);
   write_stroke(0.5);
   EXPECT_EQ(state().strokes, 1);
+  const QRectF sheet = paper()->place().rect;
   get_advice();
+  EXPECT_EQ(paper()->place().rect, sheet) << "the paper stays where it is";
   EXPECT_TRUE(action("brush_advice")->isChecked());
   EXPECT_TRUE(find("brush_advice_words")->isVisible());
   EXPECT_TRUE(text("brush_review_verdict").contains(QStringLiteral("The advice is not a mark")))

@@ -31,6 +31,81 @@ TEST_F(BrushWindow, AStrokeByMouseLeavesInkAndUndoTakesItAway) {
   EXPECT_GT(darkness(0.5, 0.5), bare + 80);
 }
 
+TEST_F(BrushWindow, AStrokeIsWrittenByKeysAlone) {
+  qputenv("SDL_AUDIODRIVER", "dummy");
+  EXPECT_FALSE(action("brush_harder")->isEnabled());
+  key(Qt::Key_Plus);
+  key(Qt::Key_M);
+  EXPECT_EQ(feedback(),
+            QStringLiteral("The keys move the pen. Arrow keys: move. U: pen down or up. N: next start. "
+                           "K: where."));
+  const int bare = darkness(0.6, 0.5);
+  for (int i = 0; i < 10; ++i) QTest::keyClick(paper(), Qt::Key_Right);
+  key(Qt::Key_U);
+  EXPECT_EQ(feedback(), QStringLiteral("Pen down."));
+  key(Qt::Key_Plus);
+  EXPECT_EQ(feedback(), QStringLiteral("Pressure: 60%."));
+  for (int i = 0; i < 10; ++i) QTest::keyClick(paper(), Qt::Key_Left);
+  key(Qt::Key_U);
+  wait_until([&] { return state().strokes == 1 && !state().is_writing; });
+  settle();
+  EXPECT_GT(darkness(0.6, 0.5), bare + 80) << "between the middle and 20 mm to its right";
+  EXPECT_LT(darkness(0.8, 0.5), bare + 10);
+  EXPECT_LT(darkness(0.3, 0.5), bare + 10);
+  key(Qt::Key_K);
+  EXPECT_TRUE(feedback().endsWith(QStringLiteral("50% from the left, 50% from the top.")))
+      << feedback().toStdString();
+  for (int i = 0; i < 4; ++i) key(Qt::Key_Plus);
+  EXPECT_EQ(feedback(), QStringLiteral("Pressure: 100%."));
+  key(Qt::Key_Plus);
+  EXPECT_EQ(feedback(), QStringLiteral("The brush cannot be pressed harder."));
+  key(Qt::Key_M);
+  EXPECT_FALSE(action("brush_press")->isEnabled());
+  const int strokes = state().strokes;
+  QTest::keyClick(paper(), Qt::Key_Left);
+  settle();
+  EXPECT_EQ(state().strokes, strokes);
+}
+
+TEST_F(BrushWindow, ATeacherWritesTheModelOnANewSheetAndStopsForThePen) {
+  write_stroke(0.9);
+  take_model(QStringLiteral("十"));
+  key(Qt::Key_V);
+  wait_until([this] { return feedback() == QStringLiteral("Watch: 2 strokes. V: stop."); });
+  wait_until([this] { return state().strokes == 2 && !state().is_writing; });
+  wait_until([this] { return feedback().startsWith(QStringLiteral("That is how it is written.")); });
+  EXPECT_GT(darkness(0.5, 0.4), 80) << "the bar";
+  EXPECT_LT(darkness(0.3, 0.9), 60) << "the stroke before is on the old sheet";
+  key(Qt::Key_J);
+  wait_until([this] { return feedback().startsWith(QStringLiteral("Advice: ")); });
+  EXPECT_FALSE(feedback().contains(QStringLiteral("troke"))) << feedback().toStdString();
+  // While it is written, the learner's pen and V take over.
+  key(Qt::Key_V);
+  wait_until([this] { return state().is_writing; });
+  write_stroke(0.9);
+  const int strokes = state().strokes;
+  key(Qt::Key_V);
+  wait_until([this] { return state().is_writing; });
+  key(Qt::Key_V);
+  EXPECT_EQ(feedback(), QStringLiteral("Stopped."));
+  settle();
+  EXPECT_FALSE(state().is_writing);
+  EXPECT_LE(strokes, 3);
+}
+
+TEST_F(BrushWindow, KeysNameTheStrokesOfTheModelOnlyWhileItIsShown) {
+  take_model(QStringLiteral("十"));
+  key(Qt::Key_2);
+  key(Qt::Key_M);
+  key(Qt::Key_N);
+  EXPECT_EQ(feedback(), QStringLiteral("Start of stroke 1."));
+  key(Qt::Key_N);
+  EXPECT_EQ(feedback(), QStringLiteral("Start of stroke 2."));
+  key(Qt::Key_1);
+  key(Qt::Key_N);
+  EXPECT_EQ(feedback(), QStringLiteral("There are no strokes to go to."));
+}
+
 TEST_F(BrushWindow, ASheetThatWasSavedOpensAgainWithTheSameBytes) {
   write_stroke();
   key(Qt::Key_D);  // a wet sheet would dry further between the two files

@@ -3,7 +3,7 @@
 #include <QAction>
 
 #include "characters/characters.h"
-#include "characters/key_writing.h"
+#include "nazori/studio/parts/key_writing.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "window_under_test.h"
 
@@ -60,7 +60,7 @@ TEST_F(KeyWritingInTheWindow, StrokesAreExploredByKeyAndNamed) {
   EXPECT_TRUE(says("Stroke 2, 0% of its length: 48% from the left, 11% from the top."))
       << feedback().toStdString();
   on_tablet(Qt::Key_4, Qt::KeypadModifier, 60);
-  EXPECT_TRUE(says("Edge of the tablet.")) << feedback().toStdString();
+  EXPECT_TRUE(says("This is the edge.")) << feedback().toStdString();
   press(Qt::Key_M);
   EXPECT_TRUE(says("The keys no longer move the pen."));
   EXPECT_FALSE(action("pen_down")->isEnabled());
@@ -95,7 +95,7 @@ TEST_F(KeyWritingInTheWindow, WhatIsWrittenByKeyFromMemoryIsJudged) {
   press(Qt::Key_F8);
   press(Qt::Key_M);
   press(Qt::Key_T);
-  EXPECT_TRUE(says("There are no strokes on this tablet.")) << feedback().toStdString();
+  EXPECT_TRUE(says("There are no strokes to go to.")) << feedback().toStdString();
   on_tablet(Qt::Key_Left, Qt::NoModifier, 20);
   ASSERT_TRUE(arrives(-40e-3, 0));
   press(Qt::Key_P);
@@ -154,10 +154,10 @@ TEST(KeyPenWords, EachThingThatAKeyDoesHasASentenceOfItsOwn) {
       {KeyPenDid::at_start, "Start of stroke 3."},
       {KeyPenDid::at_end, "End of stroke 3."},
       {KeyPenDid::left_stroke, "Beside stroke 7."},
-      {KeyPenDid::at_border, "Edge of the tablet."},
+      {KeyPenDid::at_border, "This is the edge."},
       {KeyPenDid::put_down, "Pen down."},
       {KeyPenDid::lifted, "Pen up."},
-      {KeyPenDid::no_strokes, "There are no strokes on this tablet."},
+      {KeyPenDid::no_strokes, "There are no strokes to go to."},
   };
   for (const auto& [did, words] : table) {
     event.did = did;

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>nazori::ui::BrushPage</name>
+    <message numerus="yes">
+        <source>Watch: %n strokes. V: stop.</source>
+        <translation>
+            <numerusform>Watch: %n stroke. V: stop.</numerusform>
+            <numerusform>Watch: %n strokes. V: stop.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::BrushReviewBar</name>
     <message numerus="yes">
         <source>a character with %n strokes</source>

@@ -898,6 +898,66 @@
         <source>St&amp;udy</source>
         <translation>学習(&amp;U)</translation>
     </message>
+    <message>
+        <source>&amp;Watch it written</source>
+        <translation>書くところを見る(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The brush writes the model by itself, as a teacher shows it; again: stop</source>
+        <translation>先生のように、筆が手本を書いて見せます。もう一度押すと止まります</translation>
+    </message>
+    <message>
+        <source>&amp;Move the brush by key</source>
+        <translation>キーで筆を動かす(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Write with the arrow keys or the number pad; Shift: fine steps</source>
+        <translation>矢印キーかテンキーで書きます。Shift：細かく動かす</translation>
+    </message>
+    <message>
+        <source>Brush &amp;up or down</source>
+        <translation>筆を下ろす／上げる(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Put the brush on the paper, or lift it</source>
+        <translation>筆を紙に下ろします。もう一度押すと上げます</translation>
+    </message>
+    <message>
+        <source>To the next &amp;start</source>
+        <translation>次の書き始めへ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Go to the start of the next stroke of the model</source>
+        <translation>手本の次の画の書き始めへ移ります</translation>
+    </message>
+    <message>
+        <source>&amp;Where is the brush?</source>
+        <translation>筆の場所(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Say where the brush is</source>
+        <translation>筆がどこにあるかを知らせます</translation>
+    </message>
+    <message>
+        <source>Press &amp;harder</source>
+        <translation>強く押す(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Move by key: press the brush harder</source>
+        <translation>キーで動かすとき、筆を強く押します</translation>
+    </message>
+    <message>
+        <source>Press s&amp;ofter</source>
+        <translation>弱く押す(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Move by key: press the brush less</source>
+        <translation>キーで動かすとき、筆を弱く押します</translation>
+    </message>
+    <message>
+        <source>By &amp;key</source>
+        <translation>キーで書く(&amp;K)</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::BrushPage</name>
@@ -994,10 +1054,6 @@
         <translation>筆と墨で紙に書きます</translation>
     </message>
     <message>
-        <source>Write on the sheet with mouse, pen or finger. I: ink. W: water. S: what is on the sheet.</source>
-        <translation>マウス、ペン、指で紙に書いてください。I：墨、W：水、S：紙の説明。</translation>
-    </message>
-    <message>
         <source>The brush is almost dry. I: dip it in ink.</source>
         <translation>筆の墨が残りわずかです。I：墨をつける。</translation>
     </message>
@@ -1060,6 +1116,40 @@
     <message>
         <source>Reviews with the brush are off. Choose how many you want a day at Home, in Study settings, Daily goal.</source>
         <translation>筆での復習はオフです。1日の数は、ホームの「学習の設定」の「1日の目標」で選べます。</translation>
+    </message>
+    <message>
+        <source>Pressure: %1%.</source>
+        <translation>筆圧：%1%。</translation>
+    </message>
+    <message>
+        <source>The brush cannot be pressed harder.</source>
+        <translation>これ以上強く押せません。</translation>
+    </message>
+    <message>
+        <source>The brush cannot be pressed more softly.</source>
+        <translation>これ以上弱く押せません。</translation>
+    </message>
+    <message>
+        <source>Write on the sheet with mouse, pen or finger, or by keys (M). I: ink. W: water. S: what is on the sheet.</source>
+        <translation>マウス、ペン、指、またはキー（M）で紙に書いてください。I：墨、W：水、S：紙の説明。</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>止めました。</translation>
+    </message>
+    <message>
+        <source>There is no model to be written. T: type a text.</source>
+        <translation>書いて見せる手本がありません。T：手本の字を入力</translation>
+    </message>
+    <message numerus="yes">
+        <source>Watch: %n strokes. V: stop.</source>
+        <translation>
+            <numerusform>ご覧ください。全部で%n画です。V：止める</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>That is how it is written. Ctrl+N: a new sheet for you.</source>
+        <translation>このように書きます。Ctrl+N：新しい紙で書いてみる</translation>
     </message>
 </context>
 <context>
@@ -4357,20 +4447,12 @@ Columns and rows:</source>
         <translation>%1画目から外れました。</translation>
     </message>
     <message>
-        <source>Edge of the tablet.</source>
-        <translation>文字板の端です。</translation>
-    </message>
-    <message>
         <source>Pen down.</source>
         <translation>ペンを下ろしました。</translation>
     </message>
     <message>
         <source>Pen up.</source>
         <translation>ペンを上げました。</translation>
-    </message>
-    <message>
-        <source>There are no strokes on this tablet.</source>
-        <translation>この文字板には画がありません。</translation>
     </message>
     <message>
         <source>%1% from the left, %2% from the top.</source>
@@ -4385,12 +4467,20 @@ Columns and rows:</source>
         <translation>%1画目の%2%の所です。%3</translation>
     </message>
     <message>
-        <source>The keys move the pen. Arrow keys: move. P: pen down or up. T: next start. I: where.</source>
-        <translation>キーでペンを動かします。矢印キー：動かす、P：下ろす／上げる、T：次の書き始め、I：場所</translation>
-    </message>
-    <message>
         <source>The keys no longer move the pen.</source>
         <translation>キーでペンを動かすのをやめました。</translation>
+    </message>
+    <message>
+        <source>This is the edge.</source>
+        <translation>ここが端です。</translation>
+    </message>
+    <message>
+        <source>There are no strokes to go to.</source>
+        <translation>移動先の画がありません。</translation>
+    </message>
+    <message>
+        <source>The keys move the pen. Arrow keys: move. %1: pen down or up. %2: next start. %3: where.</source>
+        <translation>キーでペンを動かします。矢印キー：動かす、%1：下ろす／上げる、%2：次の書き始め、%3：場所</translation>
     </message>
 </context>
 <context>
@@ -4901,6 +4991,42 @@ Columns and rows:</source>
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+    <message>
+        <source>Dis&amp;tance between lines of the last pass (.nc)</source>
+        <translation>仕上げの線の間隔（.nc）(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Sp&amp;eed along a groove (.nc)</source>
+        <translation>溝に沿う送り速度（.nc）(&amp;E)</translation>
+    </message>
+    <message>
+        <source> mm/min</source>
+        <translation> mm/分</translation>
+    </message>
+    <message>
+        <source>Speed straight do&amp;wn (.nc)</source>
+        <translation>真下への送り速度（.nc）(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Height o&amp;f rapid moves (.nc)</source>
+        <translation>早送りの高さ（.nc）(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Sp&amp;indle (.nc)</source>
+        <translation>主軸の回転数（.nc）(&amp;I)</translation>
+    </message>
+    <message>
+        <source> rpm</source>
+        <translation> 回転/分</translation>
+    </message>
+    <message>
+        <source>&amp;Cells in a line (.brf)</source>
+        <translation>1行のマス数（.brf）(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Lines on a pa&amp;ge (.brf)</source>
+        <translation>1ページの行数（.brf）(&amp;G)</translation>
     </message>
 </context>
 <context>
@@ -9160,10 +9286,6 @@ Columns and rows:</source>
         <translation>画像から画を見つける</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg)</source>
-        <translation>画像 (*.png *.jpg *.jpeg)</translation>
-    </message>
-    <message>
         <source>&amp;Workshop</source>
         <translation>工房(&amp;W)</translation>
     </message>
@@ -9282,6 +9404,10 @@ Columns and rows:</source>
     <message>
         <source>Opening %1…</source>
         <translation>%1 を開いています…</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <translation>画像 (*.png *.jpg *.jpeg *.svg)</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,18 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
   previous_model =
       make("brush_previous_model", tr("Pre&vious part"), tr("Show the previous part of the model text"), ",");
 
+  watch =
+      make("brush_watch", tr("&Watch it written"),
+           tr("The brush writes the model by itself, as a teacher shows it; again: stop"), "V", Icon::play);
+  by_key = make("brush_by_key", tr("&Move the brush by key"),
+                tr("Write with the arrow keys or the number pad; Shift: fine steps"), "M", true);
+  press = make("brush_press", tr("Brush &up or down"), tr("Put the brush on the paper, or lift it"), "U");
+  next_start = make("brush_start", tr("To the next &start"),
+                    tr("Go to the start of the next stroke of the model"), "N");
+  where = make("brush_where", tr("&Where is the brush?"), tr("Say where the brush is"), "K");
+  harder = make("brush_harder", tr("Press &harder"), tr("Move by key: press the brush harder"), "+");
+  softer = make("brush_softer", tr("Press s&ofter"), tr("Move by key: press the brush less"), "-");
+
   review = make("brush_review", tr("&Review with the brush"),
                 tr("Write well known characters with the brush, as set in the study settings"), "Ctrl+Return",
                 Icon::play);
@@ -75,7 +87,8 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
   add_group(tr("S&heet"), {undo, redo, nullptr, dry, new_sheet, next_paper, nullptr, describe, advice,
                            nullptr, save_png, carve, nullptr, tools});
   add_group(tr("&Model"), {model_none, model_beneath, model_beside, nullptr, next_ruling, next_font, nullptr,
-                           model_text, next_model, previous_model});
+                           model_text, next_model, previous_model, nullptr, watch});
+  add_group(tr("By &key"), {by_key, nullptr, press, next_start, where, nullptr, harder, softer});
   add_group(tr("St&udy"), {review, go_on, nullptr, rate[0], rate[1], rate[2], rate[3], nullptr, undo_rating,
                            nullptr, skip, end});
 }
@@ -84,7 +97,7 @@ void BrushActions::show_session(bool is_running, bool advised) {
   for (auto* one : {go_on, skip, end}) one->setEnabled(is_running);
   for (auto* one : rate) one->setEnabled(advised);
   // A session has one character on a sheet.
-  for (auto* one : {next_ruling, model_text, next_model, previous_model}) one->setEnabled(!is_running);
+  for (auto* one : {next_ruling, model_text, next_model, previous_model, watch}) one->setEnabled(!is_running);
 }
 
 }  // namespace nazori::ui

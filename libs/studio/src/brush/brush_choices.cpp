@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the learner chooses on the page for the brush: actions, panel and paper.
 #include <algorithm>
+#include <cmath>
 
 #include "nazori/studio/brush/brush_actions.h"
 #include "nazori/studio/brush/brush_page.h"
@@ -13,6 +14,7 @@ namespace nazori::ui {
 void BrushPage::connect_actions() {
   const auto act = [this](QAction* action, auto what) {
     on(action, [this, what] {
+      stop_teacher();
       what(*writing_);
       wake();
     });
@@ -58,6 +60,7 @@ void BrushPage::connect_actions() {
     const auto at = std::find(inks.begin(), inks.end(), choice_.ink) - inks.begin();
     choose_ink(std::string(inks[static_cast<std::size_t>(at + 1) % inks.size()]));
   });
+  on(actions_->watch, [this] { watch_teacher(); });
   on(actions_->describe, [this] { parts().respond(Feedback::hint, sheet_words()); });
   on(actions_->advice, [this](bool on) {
     if (on) return request_advice();
@@ -142,6 +145,7 @@ void BrushPage::connect_panel() {
 
 void BrushPage::connect_paper() {
   connect(paper_, &PaperView::pen_moved, this, [this](const brush::PenSample& sample) {
+    stop_teacher();
     clear_advice();
     writing_->move_pen(sample);
     wake();
@@ -151,6 +155,21 @@ void BrushPage::connect_paper() {
     wake();
   });
   connect(paper_, &PaperView::eraser_used, actions_->undo, &QAction::trigger);
+}
+
+void BrushPage::connect_keys() {
+  const auto press_harder = [this](int by) {
+    if (ground_.press_harder(by))
+      return parts().respond(Feedback::hint, tr("Pressure: %1%.").arg(std::lround(ground_.pressure() * 100)));
+    parts().respond(Feedback::hint, by > 0 ? tr("The brush cannot be pressed harder.")
+                                           : tr("The brush cannot be pressed more softly."));
+  };
+  on(actions_->harder, [press_harder] { press_harder(1); });
+  on(actions_->softer, [press_harder] { press_harder(-1); });
+  connect(actions_->by_key, &QAction::toggled, this, [this](bool on) {
+    for (auto* one : {actions_->harder, actions_->softer}) one->setEnabled(on);
+  });
+  for (auto* one : {actions_->harder, actions_->softer}) one->setEnabled(false);
 }
 
 void BrushPage::set_handling() {
@@ -176,6 +195,7 @@ void BrushPage::choose_ink(const std::string& ink) {
 }
 
 void BrushPage::choose_paper(const std::string& paper) {
+  stop_teacher();
   choice_.paper = paper;
   writing_->take_new_sheet(paper);
   parts().save_later();

@@ -91,6 +91,8 @@ void BrushPage::show_outcome(const Outcome& outcome) {
       return show_tablet(outcome);
     case Task::advise:
       return show_advice(outcome.advice);
+    case Task::hand:
+      return begin_hand(outcome.hand);
   }
 }
 
@@ -105,6 +107,7 @@ bool BrushPage::opens(const QStringList& paths) const {
 
 void BrushPage::open_files(const QStringList& paths) {
   if (!entered_) emit wants_to_be_entered();
+  stop_teacher();
   writing_->open(paths.front().toStdString());
   wake();
 }

@@ -75,12 +75,26 @@ void BrushPage::show_model() {
 }
 
 void BrushPage::draw_model() {
+  stop_teacher();
   std::vector<calligraphy::ModelStroke> all;
   for (const auto& model : sheet_models())
     for (auto& stroke : calligraphy::strokes_of(model)) all.push_back(std::move(stroke));
+  show_strokes_to_keys(all);
   paper_->show_model(std::move(all), calligraphy::ruled_squares(ruling()), choice_.place);
   panel_->show_model_words(model_words());
   paper_->setAccessibleDescription(sheet_words());
+}
+
+void BrushPage::show_strokes_to_keys(const std::vector<calligraphy::ModelStroke>& strokes) {
+  std::vector<practice::KeyPenGround::Line> lines;
+  // Without a model the learner writes from memory.
+  if (choice_.place != ModelPlace::none) {
+    for (const calligraphy::ModelStroke& stroke : strokes) {
+      auto& line = lines.emplace_back();
+      for (const geometry::PaperPoint p : stroke.points) line.push_back({p.x, p.y});
+    }
+  }
+  ground_.set_strokes(std::move(lines));
 }
 
 void BrushPage::request_font_models() {

@@ -11,6 +11,7 @@
 #include "nazori/studio/brush/brush_review_bar.h"
 #include "nazori/studio/brush/brush_words.h"
 #include "nazori/studio/brush/tools_panel.h"
+#include "nazori/studio/parts/key_writing.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/events/signals.h"
 #include "nazori/widgets/page/window_parts.h"
@@ -42,7 +43,16 @@ BrushPage::BrushPage(WindowParts& parts)
       widget_(named(new QWidget(&parts.window()), "brush_page")),
       paper_(new PaperView(widget_)),
       panel_(new BrushToolsPanel(*actions_, widget_)),
-      bar_(new BrushReviewBar(parts.brush_session(), parts.learner(), *actions_, widget_)) {
+      bar_(new BrushReviewBar(parts.brush_session(), parts.learner(), *actions_, widget_)),
+      ground_(
+          paint::Sheet::kSide_m,
+          [this](geometry::TabletPoint at, bool down, double pressure) {
+            paper_->move_brush({at.x, at.y}, down, pressure);
+          },
+          [this] { paper_->take_brush_away(); }),
+      key_writing_(new KeyWriting(
+          parts, ground_, {actions_->by_key, actions_->press, actions_->next_start, actions_->where},
+          [this](const QObject* one) { return one == paper_; }, this)) {
   auto* row = new QHBoxLayout(widget_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -62,6 +72,7 @@ BrushPage::BrushPage(WindowParts& parts)
   connect_actions();
   connect_panel();
   connect_paper();
+  connect_keys();
   connect_font_models();
   connect_reviews();
   subscribe(parts.library().characters_ready, this, [this](const std::vector<kanji::Character>& characters) {
@@ -152,14 +163,17 @@ void BrushPage::enter() {
   if (!fonts_) font_models_.list();
   request_model();
   parts().note_opened();
-  parts().announce(Feedback::hint,
-                   tr("Write on the sheet with mouse, pen or finger. I: ink. W: water. S: what is "
-                      "on the sheet."));
+  parts().announce(
+      Feedback::hint,
+      tr("Write on the sheet with mouse, pen or finger, or by keys (M). I: ink. W: water. S: what "
+         "is on the sheet."));
   wake();
 }
 
 void BrushPage::leave() {
   entered_ = false;
+  stop_teacher();
+  key_writing_->end();
   writing_->lift_pen();
 }
 
@@ -183,9 +197,11 @@ void BrushPage::wake() {
 }
 
 void BrushPage::tick() {
-  writing_->tick(static_cast<double>(since_tick_.nsecsElapsed()) * 1e-9);
+  const double seconds = static_cast<double>(since_tick_.nsecsElapsed()) * 1e-9;
   since_tick_.start();
-  if (!writing_->is_busy()) timer_.stop();
+  move_hand(seconds);
+  writing_->tick(seconds);
+  if (!writing_->is_busy() && !is_watching()) timer_.stop();
 }
 
 void BrushPage::show_frame(const calligraphy::BrushFrame& frame) {

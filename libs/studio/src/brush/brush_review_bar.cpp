@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <initializer_list>
 #include <utility>
 
 #include "nazori/practice/session_question.h"
@@ -28,6 +29,13 @@ constexpr double kLarger = 1.4;  ///< size of the question, relative to other te
 QString with_key(const QAction& action) {
   return QStringLiteral("%1  %2").arg(action.iconText(),
                                       action.shortcut().toString(QKeySequence::NativeText));
+}
+
+/// Keeps its place while it is hidden, so that the paper below does not move under the brush.
+void keep_place(QWidget* widget) {
+  QSizePolicy policy = widget->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  widget->setSizePolicy(policy);
 }
 
 QPushButton* compact_button(QAction* action, QWidget* parent) {
@@ -69,6 +77,7 @@ BrushReviewBar::BrushReviewBar(const practice::BrushSession& session, const prac
     flow->addWidget(rating_[i]);
   }
   column->addWidget(ratings_);
+  for (auto* one : std::initializer_list<QWidget*>{verdict_, ratings_, advice_}) keep_place(one);
   auto* others = new QWidget(this);
   auto* row = new FlowLayout(kGap_px, kGap_px, others);
   row->addWidget(advice_);
@@ -103,7 +112,7 @@ void BrushReviewBar::show_state(const std::optional<kanji::Character>& character
   verdict_->setVisible(advised);
   ratings_->setVisible(advised);
   advice_->setVisible(!advised);
-  if (advised) show_ratings();
+  show_ratings();
   if (question.isEmpty()) return;
   QString words = place + QStringLiteral(". ") + question;
   if (advised) words = verdict_->text();
@@ -111,10 +120,11 @@ void BrushReviewBar::show_state(const std::optional<kanji::Character>& character
 }
 
 void BrushReviewBar::show_ratings() {
+  const bool advised = session_.state() == practice::BrushSession::State::advised;
   const auto today = learner_.store().today();
   for (std::size_t i = 0; i < rating_.size(); ++i) {
     const auto rating = study::kRatings[i];
-    const bool proposed = rating == session_.proposed();
+    const bool proposed = advised && rating == session_.proposed();
     const QString name = StudyWords::rating(rating);
     // A day that cannot be computed is left out. Rating then says why it fails.
     const auto after = session_.after(rating);
@@ -128,7 +138,8 @@ void BrushReviewBar::show_ratings() {
     rating_[i]->setProperty("role", proposed ? QStringLiteral("primary") : QStringLiteral("rating"));
     rating_[i]->setStyle(rating_[i]->style());
   }
-  verdict_->setText(session_.result().accepted
+  // Before, the longer sentence keeps the place.
+  verdict_->setText(advised && session_.result().accepted
                         ? tr("The advice is not a mark: you rate your writing. Suggested: %1.")
                               .arg(StudyWords::rating(session_.proposed()))
                         : tr("Not all strokes are those of the character. The advice is not a mark: you rate "

@@ -3,20 +3,32 @@
 #include <QMouseEvent>
 #include <QTabletEvent>
 #include <QTouchEvent>
+#include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "nazori/studio/brush/paper_view.h"
 
 namespace nazori::ui {
-void PaperView::write(QPointF at, bool down, std::uint64_t event_ms, const calligraphy::HolderTilt& tilt,
+double PaperView::pen_clock_s() const {
+  return static_cast<double>(clock_begins_ms_ + clock_.elapsed()) / 1000;
+}
+
+double PaperView::seconds_of(std::uint64_t event_ms) {
+  if (event_ms == 0) return pen_clock_s();
+  // What has no time of its own is on the same clock.
+  clock_begins_ms_ = static_cast<qint64>(event_ms) - clock_.elapsed();
+  return static_cast<double>(event_ms) / 1000;
+}
+
+void PaperView::write(QPointF at, bool down, double time_s, const calligraphy::HolderTilt& tilt,
                       std::optional<double> pressure, double twist_rad) {
   const bool was_down = std::exchange(down_, down);
   move_cursor(at);
   // Above the paper only the picture of the brush moves.
   if (!down && !was_down) return;
   brush::PenSample sample;
-  sample.time_s =
-      static_cast<double>(event_ms != 0 ? event_ms : static_cast<std::uint64_t>(clock_.elapsed())) / 1000;
+  sample.time_s = time_s;
   sample.at = place_.to_paper(at);
   sample.down = down;
   sample.pressure = pressure;
@@ -26,18 +38,25 @@ void PaperView::write(QPointF at, bool down, std::uint64_t event_ms, const calli
   emit pen_moved(sample);
 }
 
+void PaperView::move_brush(geometry::PaperPoint at, bool down, double pressure) {
+  constexpr double kCalm_m_s = 0.06;
+  const double way = geometry::distance(std::exchange(moved_to_, at), at);
+  moved_s_ = std::max(pen_clock_s(), moved_s_ + way / kCalm_m_s);
+  write(place_.to_widget(at), down, moved_s_, calligraphy::assumed_tilt(left_hand_), pressure);
+}
+
 void PaperView::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && place_.rect.contains(event->position()))
-    write(event->position(), true, event->timestamp(), calligraphy::assumed_tilt(left_hand_));
+    write(event->position(), true, seconds_of(event->timestamp()), calligraphy::assumed_tilt(left_hand_));
 }
 
 void PaperView::mouseMoveEvent(QMouseEvent* event) {
-  write(event->position(), down_, event->timestamp(), calligraphy::assumed_tilt(left_hand_));
+  write(event->position(), down_, seconds_of(event->timestamp()), calligraphy::assumed_tilt(left_hand_));
 }
 
 void PaperView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton)
-    write(event->position(), false, event->timestamp(), calligraphy::assumed_tilt(left_hand_));
+    write(event->position(), false, seconds_of(event->timestamp()), calligraphy::assumed_tilt(left_hand_));
 }
 
 void PaperView::tabletEvent(QTabletEvent* event) {
@@ -64,7 +83,8 @@ void PaperView::tabletEvent(QTabletEvent* event) {
       has(QInputDevice::Capability::Rotation) ? event->rotation() * std::numbers::pi / 180 : 0;
   std::optional<double> pressure;
   if (has(QInputDevice::Capability::Pressure)) pressure = event->pressure();
-  write(event->position(), down, event->timestamp(), tilt, pressure, left_hand_ ? turned : -turned);
+  write(event->position(), down, seconds_of(event->timestamp()), tilt, pressure,
+        left_hand_ ? turned : -turned);
 }
 
 void PaperView::touch(const QTouchEvent& event) {
@@ -74,7 +94,7 @@ void PaperView::touch(const QTouchEvent& event) {
         down_ = false;
         emit pen_lost();
       });
-  if (move) write(move->at, move->down, event.timestamp(), calligraphy::assumed_tilt(left_hand_));
+  if (move) write(move->at, move->down, seconds_of(event.timestamp()), calligraphy::assumed_tilt(left_hand_));
 }
 
 bool PaperView::event(QEvent* event) {

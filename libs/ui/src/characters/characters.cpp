@@ -10,7 +10,6 @@
 #include "characters/confusable_view.h"
 #include "characters/draw_panel.h"
 #include "characters/information_panel.h"
-#include "characters/key_writing.h"
 #include "characters/library_panel.h"
 #include "characters/spoken_readings.h"
 #include "characters/stage_table.h"
@@ -18,6 +17,7 @@
 #include "characters/standing_bar.h"
 #include "characters/writing_panel.h"
 #include "nazori/kanji/own_characters.h"
+#include "nazori/studio/parts/key_writing.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/dialogs/file_exchange.h"
 #include "nazori/widgets/events/signals.h"
@@ -80,7 +80,11 @@ Characters::Characters(WindowParts& parts)
       right_side_(stack_up("right_side", {writing_panel_, information_panel_}, false, &parts.window())),
       files_(new FileExchange(&parts.workshop(), &parts.window())),
       spoken_readings_(new SpokenReadings(parts, *actions_, this)),
-      key_writing_(new KeyWriting(parts, *actions_, this)) {
+      key_ground_(parts.tablet()),
+      key_writing_(
+          new KeyWriting(parts, key_ground_,
+                         {actions_->key_pen, actions_->pen_down, actions_->pen_start, actions_->pen_where},
+                         is_tablet, this)) {
   const Preferences& preferences = parts.preferences();
   parts.tablet().set_switches({preferences.strokes_visible, preferences.numbers_visible,
                                preferences.arrows_visible, preferences.snapping});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nazori/practice/character_practice.h"
+#include "nazori/practice/key_pen_ground.h"
 #include "nazori/widgets/page/page.h"
 
 namespace nazori::ui {
@@ -103,6 +104,7 @@ class Characters final : public Page {
   QWidget* right_side_;  ///< the report on the writing above the information
   FileExchange* files_;
   SpokenReadings* spoken_readings_;
+  practice::TabletGround key_ground_;
   KeyWriting* key_writing_;
   std::vector<StageEntry> stages_;
 };

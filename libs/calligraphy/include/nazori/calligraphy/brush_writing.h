@@ -42,7 +42,8 @@ enum class Task : std::uint8_t {
   save_svg,
   save_pdf,
   carve,
-  advise
+  advise,
+  hand
 };
 struct Outcome {
   Task task = Task::undo;
@@ -51,6 +52,7 @@ struct Outcome {
   std::filesystem::path file = {};                          ///< that was read or written
   std::shared_ptr<const tablet::CarvedTablet> tablet = {};  ///< of Task::carve
   std::vector<CharacterAdvice> advice = {};                 ///< of Task::advise
+  std::vector<brush::PenSample> hand = {};                  ///< of Task::hand
   bool failed = false;
   base::Error error = {};  ///< where it failed; nothing was changed then
 };
@@ -99,6 +101,9 @@ class BrushWriting {
   void carve();
   /// Compares the sheet with its models, as calligraphy::advise().
   void advise(std::vector<SheetModel> models, const AdviceOptions& options);
+
+  /// The movement that writes models with the present brush, as teacher_hand(). Nothing is written yet.
+  void request_hand(std::vector<ModelStroke> strokes);
 
   /// The state of the last frame.
   [[nodiscard]] const SheetState& state() const { return state_; }

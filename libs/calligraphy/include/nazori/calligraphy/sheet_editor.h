@@ -71,6 +71,7 @@ class SheetEditor {
 
   /// Another brush with the same ink in it, equally full. Lifts the brush.
   void set_brush(const BrushChoice& choice);
+  [[nodiscard]] const BrushChoice& brush_choice() const { return choice_; }
   /// A clean brush with this ink. @param ink  of kInks.
   /// @return Errc::not_found for another name; Errc::in_use where no slot of the sheet is dry.
   [[nodiscard]] base::Result<void> set_ink(std::string_view ink);

@@ -5,7 +5,7 @@
 
 #include "nazori/functions/sound.h"
 #include "nazori/geometry/frames.h"
-#include "nazori/practice/tablet_control.h"
+#include "nazori/practice/key_pen_ground.h"
 
 namespace nazori::practice {
 
@@ -16,7 +16,7 @@ struct KeyPenPlace {
   double depth = 0;  ///< of the relief under it: 0 on the plateau, 1 at the bottom of the deepest groove
   int stroke = 0;    ///< whose centre line is within reach, from 1; 0: none
   double along = 0;  ///< share of that stroke's length, 0 at its start to 1 at its end
-  double from_left = 0.5;  ///< share of the tablet's side
+  double from_left = 0.5;  ///< share of the ground's side
   double from_top = 0.5;
 };
 
@@ -27,7 +27,7 @@ enum class KeyPenDid : std::uint8_t {
   at_start,     ///< it reached the start of a stroke
   at_end,       ///< it reached the end of a stroke
   left_stroke,  ///< no stroke is within reach any more
-  at_border,    ///< the tablet ends here, so it did not move
+  at_border,    ///< the ground ends here, so it did not move
   put_down,
   lifted,
   no_strokes  ///< there is no stroke to go to
@@ -39,10 +39,10 @@ struct KeyPenEvent {
   int left = 0;  ///< left_stroke: the stroke that was left, from 1
 };
 
-/// A pen for people who use neither a mouse nor a pen: keys move it over the tablet in steps, put it down and
-/// lift it. What is written with it goes the way of every other writing, so each stage works with it and
-/// judges it. The strokes it names are those of the tablet: a blank tablet tells nothing. Thread: the one of
-/// the tablet.
+/// A pen for people who use neither a mouse nor a pen: keys move it over the tablet or a sheet in steps, put
+/// it down and lift it. What is written with it goes the way of every other writing, so each stage works with
+/// it and judges it. The strokes it names are those that the ground shows: a blank tablet tells nothing.
+/// Thread: the one of the ground.
 class KeyPen {
  public:
   /// A step and a fine step [m]: 50 and 200 of them cross a tablet of 0.1 m.
@@ -51,10 +51,10 @@ class KeyPen {
   /// A stroke is within reach when its centre line is this near [m].
   static constexpr double kReach_m = 2.5e-3;
 
-  /// @param tablet  outlives this.
-  explicit KeyPen(TabletControl& tablet) : tablet_(tablet) {}
+  /// @param ground  outlives this.
+  explicit KeyPen(KeyPenGround& ground) : ground_(ground) {}
 
-  /// Shows the pen over the middle of the tablet.
+  /// Shows the pen over the middle of the ground.
   KeyPenEvent begin();
   /// Takes the pen away; what is being written ends.
   void end();
@@ -75,7 +75,7 @@ class KeyPen {
   KeyPenEvent arrive(geometry::TabletPoint at);
   void send();
 
-  TabletControl& tablet_;
+  KeyPenGround& ground_;
   geometry::TabletPoint at_{0, 0};
   bool is_down_ = false;
   bool in_use_ = false;

@@ -17,7 +17,8 @@ class BrushActions final : public ActionSet {
   QAction *guess_pressure, *left_hand, *show_brush;
   QAction *undo, *redo, *dry, *new_sheet, *next_paper, *describe, *advice, *save_png, *carve, *tools;
   QAction *model_none, *model_beneath, *model_beside, *next_ruling, *next_font, *model_text, *next_model,
-      *previous_model;
+      *previous_model, *watch;
+  QAction *by_key, *press, *next_start, *where, *harder, *softer;
   // Reviews with the brush.
   QAction *review, *go_on, *skip, *undo_rating, *end;
   std::array<QAction*, 4> rate;  ///< in the order of study::kRatings

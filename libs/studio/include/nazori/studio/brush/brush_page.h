@@ -11,6 +11,7 @@
 
 #include "nazori/author/font_models.h"
 #include "nazori/calligraphy/brush_writing.h"
+#include "nazori/practice/key_pen_ground.h"
 #include "nazori/studio/brush/paper_view.h"
 #include "nazori/widgets/events/event_loop_inbox.h"
 #include "nazori/widgets/page/page.h"
@@ -20,6 +21,7 @@ namespace nazori::ui {
 class BrushActions;
 class BrushReviewBar;
 class BrushToolsPanel;
+class KeyWriting;
 
 /// The page for writing with a brush: a sheet of paper with ink that spreads, a model, and the tools beside
 /// it.
@@ -73,6 +75,7 @@ class BrushPage final : public Page {
   void connect_actions();
   void connect_panel();
   void connect_paper();
+  void connect_keys();
   void connect_font_models();
   void start_writing();
   void show_frame(const calligraphy::BrushFrame& frame);
@@ -93,6 +96,8 @@ class BrushPage final : public Page {
   void request_model();
   void show_model();
   void draw_model();
+  /// Tells the keys that move the brush which strokes are shown.
+  void show_strokes_to_keys(const std::vector<calligraphy::ModelStroke>& strokes);
   void request_font_models();
   void show_fonts(const std::vector<author::BrushFont>& fonts);
   void note_model(const author::MadeModel& made);
@@ -110,6 +115,13 @@ class BrushPage final : public Page {
   [[nodiscard]] std::vector<char32_t> models() const;
   [[nodiscard]] QString model_words() const;
   [[nodiscard]] QString sheet_words() const;
+  // The hand of a teacher (brush_teacher.cpp).
+  /// Lets the brush write the models on an empty sheet, or stops that.
+  void watch_teacher();
+  void begin_hand(std::vector<brush::PenSample> hand);
+  void move_hand(double seconds);
+  void stop_teacher();
+  [[nodiscard]] bool is_watching() const { return awaits_hand_ || !hand_.empty(); }
   // Reviews with the brush (brush_reviews.cpp).
   void connect_reviews();
   void start_reviews();
@@ -133,6 +145,8 @@ class BrushPage final : public Page {
   PaperView* paper_;
   BrushToolsPanel* panel_;
   BrushReviewBar* bar_;
+  practice::SheetGround ground_;  ///< the sheet for the keys that move the brush
+  KeyWriting* key_writing_;
   Choice choice_;
   QString file_;
   bool entered_ = false;
@@ -148,6 +162,11 @@ class BrushPage final : public Page {
   std::u32string asked_;                                      ///< models of the font that are being made
   std::u32string refused_;                                    ///< those of them that it does not have
   bool advises_later_ = false;                                ///< as soon as the models are made
+  bool awaits_hand_ = false;                                  ///< the movement of the teacher is being made
+  std::vector<brush::PenSample> hand_;                        ///< that is being shown; empty: none
+  std::size_t hand_next_ = 0;
+  double hand_begins_s_ = 0;  ///< on the clock of the pen
+  double hand_time_s_ = 0;    ///< since then
   QTimer timer_;
   QElapsedTimer since_tick_;
   EventLoopInbox inbox_;

@@ -38,10 +38,21 @@ class PaperView final : public QWidget {
   void set_shows_brush(bool shows);
   void refresh_appearance();
 
+  /// Moves the brush without a pointer. However fast it is called, the brush does not move faster than a calm
+  /// hand. @param pressure  0..1, while it is down.
+  void move_brush(geometry::PaperPoint at, bool down, double pressure);
+  /// Shows the brush there, without writing.
+  void show_brush_at(geometry::PaperPoint at) { move_cursor(place_.to_widget(at)); }
+  /// Now, on the clock of the samples of pen_moved().
+  [[nodiscard]] double pen_clock_s() const;
+  /// The brush is no longer above the paper.
+  void take_brush_away() { move_cursor({}); }
+
   [[nodiscard]] const SheetPlace& place() const { return place_; }
   /// What is shown of the sheet, without model and brush.
   [[nodiscard]] const QImage& picture() const { return picture_; }
   [[nodiscard]] const std::vector<calligraphy::CorrectionMark>& marks() const { return marks_; }
+  [[nodiscard]] const std::vector<calligraphy::ModelStroke>& model() const { return model_; }
   [[nodiscard]] QSize sizeHint() const override { return {600, 600}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {220, 220}; }
 
@@ -71,8 +82,10 @@ class PaperView final : public QWidget {
   void draw_scaled(const QRect& pixels);
   void draw_guides();
   void paint_beside(QPainter& painter) const;
-  void write(QPointF at, bool down, std::uint64_t event_ms, const calligraphy::HolderTilt& tilt,
+  void write(QPointF at, bool down, double time_s, const calligraphy::HolderTilt& tilt,
              std::optional<double> pressure = {}, double twist_rad = 0);
+  /// The time of an event of the window system.
+  double seconds_of(std::uint64_t event_ms);
   void move_cursor(std::optional<QPointF> to);
   void update_brush();
 
@@ -94,6 +107,9 @@ class PaperView final : public QWidget {
   bool down_ = false;
   OneFinger finger_;
   QElapsedTimer clock_;
+  geometry::PaperPoint moved_to_{0, 0};  ///< by move_brush()
+  double moved_s_ = 0;                   ///< when, on the clock of the pen
+  qint64 clock_begins_ms_ = 0;           ///< of clock_, on the clock of the window system's events
 };
 
 }  // namespace nazori::ui

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "characters/key_writing.h"
+#include "nazori/studio/parts/key_writing.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
-#include "characters/character_actions.h"
-#include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/words/error_text.h"
 
@@ -88,13 +87,13 @@ QString key_pen_words(const practice::KeyPenEvent& event) {
     case KeyPenDid::left_stroke:
       return KeyWriting::tr("Beside stroke %1.").arg(event.left);
     case KeyPenDid::at_border:
-      return KeyWriting::tr("Edge of the tablet.");
+      return KeyWriting::tr("This is the edge.");
     case KeyPenDid::put_down:
       return KeyWriting::tr("Pen down.");
     case KeyPenDid::lifted:
       return KeyWriting::tr("Pen up.");
     case KeyPenDid::no_strokes:
-      return KeyWriting::tr("There are no strokes on this tablet.");
+      return KeyWriting::tr("There are no strokes to go to.");
   }
   return {};
 }
@@ -110,16 +109,17 @@ QString key_pen_words(const practice::KeyPenPlace& place) {
       .arg(where);
 }
 
-KeyWriting::KeyWriting(WindowParts& parts, CharacterActions& actions, QObject* parent)
-    : QObject(parent), parts_(parts), actions_(actions), pen_(parts.tablet()) {
+KeyWriting::KeyWriting(WindowParts& parts, practice::KeyPenGround& ground, const KeyPenActions& actions,
+                       std::function<bool(const QObject*)> has_ground, QObject* parent)
+    : QObject(parent), parts_(parts), actions_(actions), has_ground_(std::move(has_ground)), pen_(ground) {
   silence_.setSingleShot(true);
   silence_.setInterval(kHeard_ms);
   connect(&silence_, &QTimer::timeout, this, [this] { sound_.touch({}); });
   sound_.on_failure([this](const base::Error& error) { parts_.announce(Feedback::advice, no_sound(error)); });
-  connect(actions_.key_pen, &QAction::triggered, this, &KeyWriting::switch_on);
-  connect(actions_.pen_down, &QAction::triggered, this, [this] { answer(pen_.press()); });
-  connect(actions_.pen_start, &QAction::triggered, this, [this] { answer(pen_.go_to_next_start()); });
-  connect(actions_.pen_where, &QAction::triggered, this,
+  connect(actions_.on, &QAction::triggered, this, &KeyWriting::switch_on);
+  connect(actions_.press, &QAction::triggered, this, [this] { answer(pen_.press()); });
+  connect(actions_.next_start, &QAction::triggered, this, [this] { answer(pen_.go_to_next_start()); });
+  connect(actions_.where, &QAction::triggered, this,
           [this] { parts_.respond(Feedback::hint, key_pen_words(pen_.where())); });
   show_actions();
 }
@@ -129,9 +129,13 @@ void KeyWriting::switch_on(bool on) {
     (void)pen_.begin();
     QCoreApplication::instance()->installEventFilter(this);
     emit parts_.focus_tablet();
+    const auto key = [](const QAction* action) {
+      return action->shortcut().toString(QKeySequence::NativeText);
+    };
     parts_.respond(
         Feedback::hint,
-        tr("The keys move the pen. Arrow keys: move. P: pen down or up. T: next start. I: where."));
+        tr("The keys move the pen. Arrow keys: move. %1: pen down or up. %2: next start. %3: where.")
+            .arg(key(actions_.press), key(actions_.next_start), key(actions_.where)));
   } else {
     end();
     parts_.respond(Feedback::hint, tr("The keys no longer move the pen."));
@@ -144,12 +148,12 @@ void KeyWriting::end() {
   QCoreApplication::instance()->removeEventFilter(this);
   silence_.stop();
   sound_.stop();
-  actions_.key_pen->setChecked(false);
+  actions_.on->setChecked(false);
   show_actions();
 }
 
 void KeyWriting::show_actions() {
-  for (auto* action : {actions_.pen_down, actions_.pen_start, actions_.pen_where})
+  for (auto* action : {actions_.press, actions_.next_start, actions_.where})
     action->setEnabled(pen_.is_in_use());
 }
 
@@ -164,7 +168,7 @@ void KeyWriting::answer(const practice::KeyPenEvent& event) {
 
 bool KeyWriting::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
-  if (!pen_.is_in_use() || !is_tablet(watched)) return false;
+  if (!pen_.is_in_use() || !has_ground_(watched)) return false;
   if (QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr)
     return false;
   const auto& key = *static_cast<QKeyEvent*>(event);
