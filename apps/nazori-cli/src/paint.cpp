@@ -83,7 +83,7 @@ class Writing {
     paint::InkLoad load = paint::dipped(form_.holds_m3, settings.load, ink, ink);
     brush::Tuft tuft(form_);
     brush::PenToHolder holder(form_, {});
-    brush::Aim aim;
+    brush::Aim aim(form_);
     std::vector<geometry::BristleSegment> swept;
     double passed_s = samples.empty() ? 0 : samples.front().time_s;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -97,9 +97,9 @@ class Writing {
       tuft.set_wetness(load.fullness());
       brush::HolderPose pose = holder.next(sample);
       if (pose.depth_m > 0) {
-        pose.at = aim.foot(sample.at, tuft);
+        pose.at = aim.foot(sample.at, pose.depth_m, tuft);
       } else {
-        aim.lift(tuft.points_to_rad());
+        aim.lift();
       }
       tuft.move_to(pose, swept);
       sheet_.touch(swept, load);

@@ -3,44 +3,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace nazori::brush {
-namespace {
 
-/// From the foot to the middle of the sections that touch [m].
-double reach_m(const Tuft& tuft) {
-  const auto sections = tuft.sections();
-  const geometry::PaperPoint tip = sections.back().at, root = sections.front().at;
-  return std::max(geometry::distance(root, tip) - tuft.patch_m() / 2, 0.0);
+Aim::Aim(const TuftForm& form) : step_m_(Tuft::kMostDepth * form.hair_m / kSteps) {
+  constexpr int kBristles = 40;
+  constexpr int kMoves = 12;
+  Tuft tuft(form, kBristles);
+  std::vector<geometry::BristleSegment> swept;
+  HolderPose pose;
+  for (std::size_t i = 1; i <= kSteps; ++i) {
+    pose.depth_m = static_cast<double>(i) * step_m_;
+    // Drawn over its own length it has settled.
+    for (int move = 0; move < kMoves; ++move) {
+      pose.time_s += 0.01;
+      pose.at.x += form.hair_m / kMoves;
+      swept.clear();
+      tuft.move_to(pose, swept);
+    }
+    reach_m_[i] = std::max(reach_m_[i - 1], tuft.reach_m());
+  }
 }
 
-}  // namespace
+double Aim::usual_reach_m(double depth_m) const {
+  const double at = std::clamp(depth_m / step_m_, 0.0, static_cast<double>(kSteps));
+  const auto below = std::min(static_cast<std::size_t>(at), kSteps - 1);
+  return reach_m_[below] + (at - static_cast<double>(below)) * (reach_m_[below + 1] - reach_m_[below]);
+}
 
-geometry::PaperPoint Aim::foot(geometry::PaperPoint pen, const Tuft& tuft) {
+geometry::PaperPoint Aim::foot(geometry::PaperPoint pen, double depth_m, const Tuft& tuft) {
+  if (!tuft.touching()) {
+    ahead_rad_ = tuft.points_to_rad() + std::numbers::pi;
+    depth_m_ = 0;
+  }
   if (before_) {
-    // Over this way a hand's direction counts.
+    // The foot swings around the ink; over this way a hand's direction counts.
     constexpr double kWay_m = 0.002;
     const double x = pen.x - before_->x, y = pen.y - before_->y;
-    const double rest = std::exp(-std::hypot(x, y) / kWay_m);
-    const double way = std::max(std::hypot(x, y), 1e-12);
-    ahead_.x = rest * ahead_.x + (1 - rest) * x / way;
-    ahead_.y = rest * ahead_.y + (1 - rest) * y / way;
+    const double turn = std::remainder(std::atan2(y, x) - ahead_rad_, 2 * std::numbers::pi);
+    ahead_rad_ += (1 - std::exp(-std::hypot(x, y) / kWay_m)) * turn;
   }
   before_ = pen;
-  // At touch-down the tuft will bend as far as in the stroke before.
-  constexpr double kFirstReach = 0.2;
-  if (tuft.touching()) {
-    lead_m_ = reach_m(tuft);
-  } else if (lead_m_ <= 0) {
-    lead_m_ = kFirstReach * tuft.form().hair_m;
-  }
-  const double length = std::max(std::hypot(ahead_.x, ahead_.y), 1e-3);
-  return {pen.x + lead_m_ * ahead_.x / length, pen.y + lead_m_ * ahead_.y / length};
-}
-
-void Aim::lift(double points_to_rad) {
-  before_.reset();
-  ahead_ = {-std::cos(points_to_rad), -std::sin(points_to_rad)};
+  // The hair bends further, or less, as the depth changes.
+  const double lead_m = std::max(
+      0.0, (tuft.touching() ? tuft.reach_m() : 0.0) + usual_reach_m(depth_m) - usual_reach_m(depth_m_));
+  depth_m_ = depth_m;
+  return {pen.x + lead_m * std::cos(ahead_rad_), pen.y + lead_m * std::sin(ahead_rad_)};
 }
 
 }  // namespace nazori::brush

@@ -109,7 +109,7 @@ void Tuft::reset(double points_to_rad) noexcept {
   spine_.place({{0, 1.5}, 0});
   placed_ = false;
   touching_ = 0;
-  width_m_ = patch_m_ = 0;
+  width_m_ = patch_m_ = reach_m_ = 0;
   for (Contact& contact : now_) contact.pressure = -1;
 }
 
@@ -283,6 +283,7 @@ void Tuft::touch(std::vector<Contact>& contacts) {
   }
   width_m_ = left_most - right_most;
   patch_m_ = front - back;
+  reach_m_ = (front + back) / 2;
 }
 
 void Tuft::sweep(double seconds, std::vector<BristleSegment>& swept) const {

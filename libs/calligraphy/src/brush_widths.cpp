@@ -17,7 +17,7 @@ double drawn_half_width_m(const brush::TuftForm& form, double pressure) {
   constexpr int kMoves = 40;
   brush::Tuft tuft(form);
   brush::PenToHolder holder(form, {});
-  brush::Aim aim;
+  brush::Aim aim(form);
   BrushStroke stroke;
   std::vector<geometry::BristleSegment> swept;
   for (int i = 0; i <= kMoves; ++i) {
@@ -27,7 +27,7 @@ double drawn_half_width_m(const brush::TuftForm& form, double pressure) {
     sample.pressure = pressure;
     swept.clear();
     brush::HolderPose pose = holder.next(sample);
-    pose.at = aim.foot(sample.at, tuft);
+    pose.at = aim.foot(sample.at, pose.depth_m, tuft);
     tuft.move_to(pose, swept);
     add_point(stroke, sample, swept);
   }

@@ -56,6 +56,7 @@ SheetEditor::SheetEditor(Board board, const BrushChoice& choice)
       form_(form_of(choice)),
       tuft_(form_),
       holder_(form_, handling_),
+      aim_(form_),
       load_(paint::dipped(form_.holds_m3, 0, {}, {})),
       ink_(kInks.front()) {
   dip_in_ink();
@@ -67,7 +68,7 @@ void SheetEditor::set_brush(const BrushChoice& choice) {
   form_ = form_of(choice);
   tuft_ = brush::Tuft(form_);
   holder_ = brush::PenToHolder(form_, handling_);
-  aim_ = {};
+  aim_ = brush::Aim(form_);
   fit_load();
 }
 
@@ -167,9 +168,9 @@ void SheetEditor::move_pen(brush::PenSample sample) {
   if (comes_down) touch_down(sample);
   brush::HolderPose pose = holder_.next(sample);
   if (pose.depth_m > 0) {
-    pose.at = aim_.foot(sample.at, tuft_);
+    pose.at = aim_.foot(sample.at, pose.depth_m, tuft_);
   } else {
-    aim_.lift(tuft_.points_to_rad());
+    aim_.lift();
     // The foot comes back to the pen before the tip leaves the paper, so that the stroke ends there.
     if (is_writing_ && tuft_.touching()) {
       brush::HolderPose leaves = pose;

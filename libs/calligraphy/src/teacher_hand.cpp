@@ -15,6 +15,8 @@ using geometry::PaperPoint;
 constexpr double kSampled_s = 0.016;     ///< while the pen rests or is in the air
 constexpr double kBendReach_m = 0.0015;  ///< a turn is looked at over this way to both sides
 constexpr double kSharp = 0.5;           ///< cosine of the turn: 60 degrees
+constexpr double kTip = 0.75;            ///< of the pressure, where the brush is set down
+constexpr double kLaid_m = 0.004;        ///< from there on the hair lies
 constexpr double kThin = 0.6;            ///< of the broadest part; what is thinner at the end is a sweep
 
 /// The point of a line that is so far from point `i`, forwards or backwards.
@@ -61,6 +63,7 @@ class Hand {
     const int parts = std::max(1, static_cast<int>(std::lround(pace_.rest_s / kSampled_s)));
     for (int k = 0; k < parts; ++k) add(at, pace_.rest_s / parts, true, pressure);
   }
+  void set_down(double pressure) { add(samples_.back().at, kSampled_s, true, pressure); }
   void move_to(PaperPoint to, double speed_m_s, double pressure) {
     const double way = geometry::distance(samples_.back().at, to);
     if (way > 0) add(to, way / speed_m_s, true, pressure);
@@ -90,11 +93,17 @@ std::vector<brush::PenSample> teacher_hand(std::span<const ModelStroke> strokes,
   for (const ModelStroke& stroke : strokes) {
     const std::size_t last = stroke.points.size() - 1;
     const std::size_t sweep = sweep_of(stroke);
-    const auto pressure_at = [&](std::size_t i) { return widths.pressure_for(stroke.half_width_m[i]); };
+    double way = 0;
+    const auto pressure_at = [&](std::size_t i) {
+      const double laid = std::min(1.0, kTip + (1 - kTip) * way / kLaid_m);
+      return laid * widths.pressure_for(stroke.half_width_m[i]);
+    };
     hand.carry_to(stroke.points.front());
-    hand.rest(pressure_at(0));
+    hand.set_down(pressure_at(0));
     for (std::size_t i = 1; i <= last; ++i) {
-      const double speed = i > sweep ? pace.sweep_m_s : is_bend(stroke, i) ? pace.bend_m_s : pace.body_m_s;
+      way += geometry::distance(stroke.points[i - 1], stroke.points[i]);
+      const bool is_slow = way < kLaid_m || is_bend(stroke, i);
+      const double speed = i > sweep ? pace.sweep_m_s : is_slow ? pace.bend_m_s : pace.body_m_s;
       hand.move_to(stroke.points[i], speed, pressure_at(i));
     }
     if (sweep > last) hand.rest(pressure_at(last));

@@ -88,7 +88,11 @@ TEST(SheetEditor, AStrokeBeginsWhereThePenComesDownHoweverHardItPresses) {
   sample.pressure = 0.9;
   e.move_pen(sample);
   e.lift_pen();
-  EXPECT_TRUE(painted(e, {0.01, -0.01}));
+  // The tip is at the pen, give or take the gaps between hairs.
+  int near = 0;
+  for (const double x : {-0.001, 0.0, 0.001})
+    for (const double y : {-0.001, 0.0, 0.001}) near += painted(e, {0.01 + x, -0.01 + y}) ? 1 : 0;
+  EXPECT_GE(near, 3);
 }
 
 TEST(SheetEditor, MorePressureMakesABroaderLine) {

@@ -233,7 +233,7 @@ TEST_F(SolidDialogTest, FilesAreMadeForTheMachinesThatWereChosen) {
   open_dialog();
   EXPECT_EQ(part<QDoubleSpinBox>("solid_feed")->value(), 430);
   // Lines of the last pass that are farther apart make a shorter program.
-  change([this] { part<QDoubleSpinBox>("solid_depth")->setValue(2); });
+  EXPECT_EQ(part<QDoubleSpinBox>("solid_depth")->value(), 2);
   part<QDoubleSpinBox>("solid_step_over")->setValue(0.6);
   EXPECT_LT(saved(QStringLiteral("b.nc")).size(), mill.size());
 }

@@ -88,8 +88,7 @@ TEST_F(BrushWindow, ATeacherWritesTheModelOnANewSheetAndStopsForThePen) {
   wait_until([this] { return state().is_writing; });
   key(Qt::Key_V);
   EXPECT_EQ(feedback(), QStringLiteral("Stopped."));
-  settle();
-  EXPECT_FALSE(state().is_writing);
+  wait_until([this] { return !state().is_writing; });
   EXPECT_LE(strokes, 3);
 }
 

@@ -53,9 +53,6 @@ void BrushPage::move_hand(double seconds) {
     brush::PenSample sample = hand_[hand_next_];
     const bool lifts = hand_next_ > 0 && hand_[hand_next_ - 1].down && !sample.down;
     sample.time_s += hand_begins_s_;
-    const auto tilt = calligraphy::assumed_tilt(choice_.left_hand);
-    sample.lean_rad = tilt.lean_rad;
-    sample.lean_to_rad = tilt.lean_to_rad;
     writing_->move_pen(sample);
     paper_->show_brush_at(sample.at);
     if (lifts && writing_->state().fullness < kDipsAt) writing_->dip_in_ink();

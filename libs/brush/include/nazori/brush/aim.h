@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "nazori/brush/tuft.h"
@@ -9,18 +11,27 @@ namespace nazori::brush {
 
 /// Leads the foot of the holder so that the patch of contact follows the pen, as a writer aims with the ink.
 /// The patch is towed behind the foot: it follows a line when the foot is ahead of it along the line's
-/// direction. Thread-safe: no.
+/// direction, by as much as the hair is bent. Thread-safe: no.
 class Aim {
  public:
-  /// Where the foot belongs while the pen is on the paper at `pen`. @param tuft  as it is now.
-  [[nodiscard]] geometry::PaperPoint foot(geometry::PaperPoint pen, const Tuft& tuft);
-  /// The pen is off the paper: the next stroke starts as the brush points.
-  void lift(double points_to_rad);
+  /// @cost some milliseconds: finds out how far this tuft bends under each depth.
+  explicit Aim(const TuftForm& form);
+
+  /// Where the foot belongs while the pen is on the paper at `pen`. @param depth_m  of the pose that is to be
+  /// taken there. @param tuft  as it is now, before that.
+  [[nodiscard]] geometry::PaperPoint foot(geometry::PaperPoint pen, double depth_m, const Tuft& tuft);
+  /// The pen is off the paper: the next stroke starts as the brush points then.
+  void lift() { before_.reset(); }
 
  private:
+  static constexpr std::size_t kSteps = 12;
+  [[nodiscard]] double usual_reach_m(double depth_m) const;
+
+  double step_m_;                             ///< of depth
+  std::array<double, kSteps + 1> reach_m_{};  ///< of a tuft that is drawn at a depth
   std::optional<geometry::PaperPoint> before_;
-  geometry::PaperPoint ahead_{0.7, -0.7};
-  double lead_m_ = 0;
+  double ahead_rad_ = 0;  ///< from the ink to the foot, from x to y
+  double depth_m_ = 0;    ///< of the pose before
 };
 
 }  // namespace nazori::brush

@@ -73,6 +73,8 @@ class Tuft {
   [[nodiscard]] double width_m() const noexcept { return width_m_; }
   /// Length of the patch of contact along points_to_rad() [m].
   [[nodiscard]] double patch_m() const noexcept { return patch_m_; }
+  /// From the holder's foot to the middle of that patch, along points_to_rad() [m]; 0 without contact.
+  [[nodiscard]] double reach_m() const noexcept { return reach_m_; }
   /// The shape from root to tip, for drawing: one section at each node of the spine.
   [[nodiscard]] std::vector<TuftSection> sections() const;
 
@@ -113,7 +115,7 @@ class Tuft {
   double wetness_ = 1, pigment_ = 1;
   double azimuth_ = kPointsTo_rad;
   int touching_ = 0;
-  double width_m_ = 0, patch_m_ = 0;
+  double width_m_ = 0, patch_m_ = 0, reach_m_ = 0;
 };
 
 }  // namespace nazori::brush
