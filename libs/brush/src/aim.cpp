@@ -41,9 +41,12 @@ geometry::PaperPoint Aim::foot(geometry::PaperPoint pen, double depth_m, const T
   if (before_) {
     // The foot swings around the ink; over this way a hand's direction counts.
     constexpr double kWay_m = 0.002;
-    const double x = pen.x - before_->x, y = pen.y - before_->y;
-    const double turn = std::remainder(std::atan2(y, x) - ahead_rad_, 2 * std::numbers::pi);
-    ahead_rad_ += (1 - std::exp(-std::hypot(x, y) / kWay_m)) * turn;
+    constexpr double kMends = 0.5;  // of what the ink missed the pen by
+    const geometry::PaperPoint moved = pen - *before_;
+    const geometry::PaperPoint missed = tuft.touching() ? *before_ - tuft.patch_at() : geometry::PaperPoint{};
+    const geometry::PaperPoint to = moved + missed * kMends;
+    const double turn = std::remainder(std::atan2(to.y, to.x) - ahead_rad_, 2 * std::numbers::pi);
+    ahead_rad_ += (1 - std::exp(-geometry::length(moved) / kWay_m)) * turn;
   }
   before_ = pen;
   // The hair bends further, or less, as the depth changes.

@@ -115,6 +115,8 @@ void Tuft::reset(double points_to_rad) noexcept {
 
 double Tuft::push_n() const noexcept { return spine_.push() * form_.force_unit_n(); }
 
+PaperPoint Tuft::patch_at() const noexcept { return pose_.at + direction(azimuth_) * reach_m_; }
+
 double Tuft::depth() const noexcept { return std::max(0.0, pose_.depth_m / form_.hair_m); }
 
 double Tuft::spread() const noexcept { return 1 + kMostSpread * depth() / (depth() + kHalfSpread); }

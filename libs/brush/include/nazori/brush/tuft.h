@@ -75,6 +75,8 @@ class Tuft {
   [[nodiscard]] double patch_m() const noexcept { return patch_m_; }
   /// From the holder's foot to the middle of that patch, along points_to_rad() [m]; 0 without contact.
   [[nodiscard]] double reach_m() const noexcept { return reach_m_; }
+  /// The middle of that patch; without contact the holder's foot.
+  [[nodiscard]] geometry::PaperPoint patch_at() const noexcept;
   /// The shape from root to tip, for drawing: one section at each node of the spine.
   [[nodiscard]] std::vector<TuftSection> sections() const;
 
