@@ -42,6 +42,7 @@ HolderPose PenToHolder::next(const PenSample& sample) noexcept {
   } else if (!handling_.guess_pressure) {
     pose.depth_m = deepest * handling_.steady_pressure;
   } else {
+    if (!before_ || !before_->down) guessed_ = kTouchPressure;
     if (before_ && before_->down) {
       const double seconds = sample.time_s - before_->time_s;
       if (seconds > 0) {

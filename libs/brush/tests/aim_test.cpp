@@ -99,7 +99,7 @@ void expect_near(std::optional<double> pressure, double first_mm, double last_mm
 }
 
 // A brush that lies the other way must be swung around the ink first, so a start is not exact.
-TEST(Aim, TheInkIsUnderAMouseOrAFingerFromTheStart) { expect_near({}, 4.8, 0.1); }
+TEST(Aim, TheInkIsUnderAMouseOrAFingerFromTheStart) { expect_near({}, 4.8, 0.3); }
 TEST(Aim, TheInkIsUnderALightPen) { expect_near(0.1, 2.6, 0.05); }
 TEST(Aim, TheInkIsUnderAPenOfMiddlePressure) { expect_near(0.3, 2.9, 0.05); }
 TEST(Aim, TheInkIsUnderAFirmPen) { expect_near(0.6, 2.2, 0.05); }

@@ -93,8 +93,9 @@ TEST(PenToHolder, IsAtFirstHandledAsTheHeaderSays) {
 }
 
 TEST(PenToHolder, TheGuessBeginsAtNothingAndSettlesWhateverTheRateOfReports) {
-  EXPECT_EQ(guessed(0.1, 0, 100), 0);
-  EXPECT_NEAR(guessed(0.01, 0.06, 1000), kSlowPressure * (1 - std::exp(-1)), 1e-9);
+  EXPECT_DOUBLE_EQ(guessed(0.1, 0, 100), kTouchPressure);
+  EXPECT_NEAR(guessed(0.01, 0.06, 1000), kSlowPressure + (kTouchPressure - kSlowPressure) * std::exp(-1),
+              1e-9);
   EXPECT_NEAR(guessed(0.1, 0.1, 60), guessed(0.1, 0.1, 1000), 1e-9);
 }
 
@@ -104,7 +105,7 @@ TEST(PenToHolder, TheGuessBeginsAgainWhereThePenComesDownAgain) {
   PenSample up = pen(0.6, 0);
   up.down = false;
   (void)holder.next(up);
-  EXPECT_EQ(holder.next(pen(0.7, 0)).depth_m, 0);
+  EXPECT_DOUBLE_EQ(holder.next(pen(0.7, 0)).depth_m, kTouchPressure * 0.35 * 0.055);
 }
 
 TEST(PenToHolder, TheGuessCanBeSwitchedOff) {

@@ -233,16 +233,18 @@ TEST_F(BrushWritingTest, APenThatRestsGoesOnPressing) {
   brush::PenSample sample;
   sample.time_s = 1;
   writing_.move_pen(sample);
-  // Without pressure it is guessed from speed and grows while the pen rests.
+  // Without pressure it is guessed from speed and grows while the pen rests, so more and more ink flows.
   writing_.tick(1.0 / 60);
   wait_for_frames(2);
-  EXPECT_FALSE(brush_.touches);
+  EXPECT_TRUE(brush_.touches);
+  const double full = writing_.state().fullness;
   for (int i = 0; i < 20; ++i) {
     writing_.tick(1.0 / 60);
     wait_for_frames(3 + i);
   }
   EXPECT_TRUE(brush_.touches);
   EXPECT_TRUE(writing_.state().is_wet);
+  EXPECT_LT(writing_.state().fullness, full);
   writing_.lift_pen();
   writing_.tick(1.0 / 60);
   wait_for_frames(23);

@@ -34,13 +34,14 @@ struct Handling {
   double settles_s = 0.06;       ///< time constant with which the guessed pressure follows the speed
 };
 
-/// Guessed pressures: a slow hand presses, a fast one sweeps.
+/// Guessed pressures: a slow hand presses, a fast one sweeps, and each sets the brush down first.
+inline constexpr double kTouchPressure = 0.3;
 inline constexpr double kSlowPressure = 0.75;
 inline constexpr double kFastPressure = 0.15;
 
 /// Turns the samples of a pen into poses of a brush, one after the other. The guessed pressure follows the
-/// speed with a time constant, so it does not depend on how often the pen is reported. It begins at zero
-/// where the pen comes down and falls to zero nowhere by itself. Thread-safe: no.
+/// speed with a time constant, so it does not depend on how often the pen is reported. It begins at
+/// kTouchPressure where the pen comes down and falls to zero nowhere by itself. Thread-safe: no.
 class PenToHolder {
  public:
   PenToHolder(const TuftForm& form, const Handling& handling);
