@@ -12,12 +12,11 @@ namespace nazori::calligraphy {
 namespace {
 
 /// Half of the width of a straight stroke at its end, where the hair lies along it.
-double drawn_half_width_m(const brush::TuftForm& form, double pressure) {
+double drawn_half_width_m(const brush::TuftForm& form, brush::Aim aim, double pressure) {
   constexpr double kLength_m = 0.02;
   constexpr int kMoves = 40;
   brush::Tuft tuft(form);
   brush::PenToHolder holder(form, {});
-  brush::Aim aim(form);
   BrushStroke stroke;
   std::vector<geometry::BristleSegment> swept;
   for (int i = 0; i <= kMoves; ++i) {
@@ -37,9 +36,10 @@ double drawn_half_width_m(const brush::TuftForm& form, double pressure) {
 }  // namespace
 
 BrushWidths::BrushWidths(const brush::TuftForm& form) {
+  const brush::Aim aim(form);
   for (std::size_t i = 1; i < half_width_m_.size(); ++i)
     half_width_m_[i] =
-        std::max(half_width_m_[i - 1], drawn_half_width_m(form, static_cast<double>(i) / kSteps));
+        std::max(half_width_m_[i - 1], drawn_half_width_m(form, aim, static_cast<double>(i) / kSteps));
 }
 
 double BrushWidths::pressure_for(double half_width_m) const {
