@@ -8,6 +8,11 @@
 #include "nazori/scan/picture.h"
 #include "nazori/scan/sheet.h"
 
+/// What the libraries that draw letters keep until the program ends.
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
+  return "leak:libfontconfig\nleak:libpango\n";
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nazori::scan;
   const auto photo = parse_photo(std::span(data, size));
