@@ -55,7 +55,8 @@ void Sheets::brush_sheet(std::size_t first, std::optional<double> grey) {
   const auto left = static_cast<int>(characters_.size() - first);
   for (int place = 0; place < std::min(s_.per_sheet, left); ++place) {
     // From top to bottom, then the column to the left.
-    const double x = all.x + all.width - (place / rows + 1) * width + (width - side) / 2;
+    const int column = place / rows;
+    const double x = all.x + all.width - (column + 1) * width + (width - side) / 2;
     const double y = all.y + place % rows * height + (height - side) / 2;
     const Rect square{x, y, side, side};
     if (s_.guide != Guide::none) place_cell(canvas, square, s_.guide);
