@@ -70,11 +70,11 @@ BrushReviewBar::BrushReviewBar(const practice::BrushSession& session, const prac
   column->addWidget(progress_);
   column->addWidget(question_);
   column->addWidget(verdict_);
-  auto* flow = new FlowLayout(kGap_px, kGap_px, ratings_);
+  ratings_->setLayout(new FlowLayout(kGap_px, kGap_px, nullptr));
   for (std::size_t i = 0; i < rating_.size(); ++i) {
     rating_[i] = action_button(actions.rate[i], {}, ratings_);
     rating_[i]->setProperty("is_rating", true);
-    flow->addWidget(rating_[i]);
+    ratings_->layout()->addWidget(rating_[i]);
   }
   column->addWidget(ratings_);
   for (auto* one : std::initializer_list<QWidget*>{verdict_, ratings_, advice_}) keep_place(one);

@@ -32,7 +32,7 @@ struct MillRow {
   int decimals;
   const char* unit;
 };
-const std::array<MillRow, MachineOptions::kMillRows> kMill{{
+constexpr std::array<MillRow, MachineOptions::kMillRows> kMill{{
     {"solid_cutter", "cutter_mm",
      QT_TRANSLATE_NOOP("nazori::ui::MachineOptions", "C&utter of the mill (.nc)"),
      &model::MillSettings::cutter_mm, 0.2, 20, 0.5, 2,
