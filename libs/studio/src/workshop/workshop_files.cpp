@@ -4,9 +4,7 @@
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QTimer>
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "nazori/author/character_file.h"
@@ -65,11 +63,9 @@ void WorkshopPage::finish_files() {
 }
 
 void WorkshopPage::say_if_slow(const QString& sentence) {
-  constexpr std::chrono::milliseconds kSlow{300};
-  // What is slow then may be another file.
-  QTimer::singleShot(kSlow, this, [this, sentence, said = ++slow_files_] {
-    if (said == slow_files_ && files_.is_busy()) parts().announce(Feedback::hint, sentence);
-  });
+  constexpr int kSlow_ms = 300;
+  slow_sentence_ = sentence;
+  slow_.start(kSlow_ms);
 }
 
 void WorkshopPage::keep_journal() {

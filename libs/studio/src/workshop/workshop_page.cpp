@@ -61,6 +61,10 @@ WorkshopPage::WorkshopPage(WindowParts& parts)
   connect_canvas();
   connect_panel();
   connect_tracing();
+  slow_.setSingleShot(true);
+  connect(&slow_, &QTimer::timeout, this, [this] {
+    if (files_.is_busy()) this->parts().announce(Feedback::hint, slow_sentence_);
+  });
   show_bench();
 }
 

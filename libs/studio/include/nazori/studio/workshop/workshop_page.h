@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QTimer>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -143,10 +144,11 @@ class WorkshopPage final : public Page {
   bool saves_file_ = false;  ///< see save_answer()
   int unnamed_ = 0;          ///< which of the files for work without a name is this window's
   std::size_t edits_ = 0;    ///< made, undone and redone since the window was opened
-  author::Tracer tracer_;    // the threads are declared last, so that they end first
+  QTimer slow_;              ///< runs out while files are being read or written
+  QString slow_sentence_;
+  author::Tracer tracer_;  // the threads are declared last, so that they end first
   author::CharacterFiles files_;
   practice::FeltRelief felt_;
-  int slow_files_ = 0;  ///< number of the last call of say_if_slow()
 };
 
 }  // namespace nazori::ui
