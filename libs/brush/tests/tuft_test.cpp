@@ -141,6 +141,45 @@ TEST(Tuft, TheAreaOfASectionStaysWhileItSpreads) {
   }
 }
 
+TEST(Tuft, SpreadsBySevenTenthsAtMostAndByHalfOfThatAtAQuarterOfItsHair) {
+  const TuftForm form = number_4();
+  Tuft tuft(form);
+  Swept swept;
+  tuft.move_to(upright(0, -0.005), swept);
+  for (const double depth : {0.0, 0.25, 0.5}) {
+    tuft.move_to(upright(0, depth * form.hair_m, depth + 1), swept);
+    const auto sections = tuft.sections();
+    const double spread = 1 + 0.7 * depth / (depth + 0.25);
+    EXPECT_NEAR(sections.front().half_width_m, form.root_radius_m * spread, 1e-12) << depth;
+    // A wet tuft ends in a point of 4 % of its root.
+    EXPECT_NEAR(sections.back().half_width_m, 0.04 * form.root_radius_m * spread, 1e-12) << depth;
+  }
+}
+
+TEST(Tuft, AHolderThatTurnsItsLeanInOneReportTurnsTheWayOfManySmallOnes) {
+  const auto turned = [](int reports) {
+    Tuft tuft(number_4());
+    Swept swept;
+    HolderPose pose = upright(0, -0.005);
+    pose.lean_rad = 0.5;
+    tuft.move_to(pose, swept);
+    pose.depth_m = 0.008;
+    tuft.move_to(pose, swept);
+    for (int i = 1; i <= reports; ++i) {
+      pose.time_s = 0.1 * i / reports;
+      pose.lean_to_rad = 0.6 * i / reports;
+      tuft.move_to(pose, swept);
+    }
+    return tuft.sections();
+  };
+  const auto one = turned(1);
+  const auto many = turned(12);
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_NEAR(geometry::distance(one[k].at, many[k].at), 0, 0.0004) << k;
+    EXPECT_NEAR(one[k].z_m, many[k].z_m, 0.0004) << k;
+  }
+}
+
 TEST(Tuft, TheTipTrailsBehindTheHolder) {
   for (const double start : {0.5, 2.5, -2.0}) {
     Tuft tuft(number_4());
