@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <ctime>
+#include <string_view>
+
 namespace nazori::archive {
 namespace {
 
@@ -32,6 +36,43 @@ TEST(Zip, WhatIsWrittenIsRead) {
   EXPECT_EQ((*members)[1].name, "dir/b");
   EXPECT_EQ(text((*members)[1]), std::string(100'000, 'x'));
   EXPECT_TRUE((*members)[2].content.empty());
+}
+
+/// A number of `size` bytes, the lowest first, so far behind a mark.
+std::uint32_t number_behind(const std::vector<std::uint8_t>& bytes, std::string_view mark, std::size_t behind,
+                            std::size_t size) {
+  const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t at = all.find(mark);
+  if (at == std::string_view::npos || at + behind + size > bytes.size()) return 0xFFFFFFFFU;
+  std::uint32_t number = 0;
+  for (std::size_t i = size; i > 0; --i) number = number << 8U | bytes[at + behind + i - 1];
+  return number;
+}
+
+// Places of the fields: PKWARE, APPNOTE.TXT 6.3.9, sections 4.3.7 and 4.3.12; Info-ZIP's extra field "UT".
+TEST(Zip, OtherProgramsFindAPlainFileWithItsSizeAndTime) {
+  constexpr std::time_t kTime = 1'790'000'001;
+  ZipWriter writer(9, kTime);
+  writer.add("a.txt", "twelve bytes");
+  const auto bytes = writer.finish().value();
+  EXPECT_EQ(number_behind(bytes, "PK\x03\x04", 22, 4), 12U) << "unpacked, in front of the content";
+  EXPECT_EQ(number_behind(bytes, "PK\x01\x02", 24, 4), 12U) << "unpacked, in the directory";
+  EXPECT_EQ(number_behind(bytes, "PK\x01\x02", 38, 4) >> 16U, 0100644U) << "a file that all may read";
+  EXPECT_EQ(number_behind(bytes, "UT", 5, 4), static_cast<std::uint32_t>(kTime));
+  // The end of the directory, 22 bytes, is the end of the file.
+  EXPECT_EQ(number_behind(bytes, "PK\x05\x06", 20, 2), 0U);
+  const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  EXPECT_EQ(all.find("PK\x05\x06") + 22, bytes.size());
+}
+
+TEST(Zip, OneMemberIsAZipAndSoAreAHundred) {
+  EXPECT_EQ(why_not(zip_of({{"only", "1"}})), "");
+  std::vector<std::pair<std::string, std::string>> files;
+  for (int i = 0; i < 100; ++i) files.emplace_back("m" + std::to_string(i), "x");
+  EXPECT_EQ(why_not(zip_of(files)), "");
+  files.emplace_back("one more", "x");
+  EXPECT_EQ(why_not(zip_of(files)), "has too many members");
+  EXPECT_EQ(ZipLimits().bytes, 67'108'864U);
 }
 
 TEST(Zip, OnlyTheWantedMembersAreUnpacked) {
