@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <random>
+#include <vector>
 
 #include "nazori/base/assignment.h"
+#include "nazori/base/bands.h"
 #include "nazori/base/file.h"
 #include "nazori/base/progress.h"
 #include "nazori/base/result.h"
@@ -47,6 +50,27 @@ TEST(Utf8, DecodesEveryLengthAndEncodesItBack) {
   ASSERT_TRUE(decoded);
   EXPECT_EQ(*decoded, U"aé休𠮷");
   EXPECT_EQ(encode_utf8(*decoded), text);
+}
+
+// Since RFC 3629 no sequence begins with one of these, so nothing may follow that would make it right.
+TEST(Utf8, BytesThatBeginNoLetterAreRefused) {
+  for (const int lead : {0x80, 0xBF, 0xC0, 0xC1, 0xF5, 0xF8, 0xFC, 0xFE, 0xFF})
+    for (const char* rest : {"", "\x80", "\x80\x80", "\x80\x80\x80"})
+      EXPECT_FALSE(decode_utf8(std::string(1, static_cast<char>(lead)) + rest)) << lead << " " << rest;
+}
+
+TEST(Bands, CoverEveryRowOnce) {
+  for (const int rows : {1, 7, 100, 1023}) {
+    const Bands bands(rows, 10);
+    EXPECT_EQ(bands.first(0), 0);
+    EXPECT_EQ(bands.last(bands.count() - 1), rows);
+    for (int band = 1; band < bands.count(); ++band) EXPECT_EQ(bands.first(band), bands.last(band - 1));
+    std::vector<std::atomic<int>> done(static_cast<std::size_t>(rows));
+    bands.run([&](int band) {
+      for (int row = bands.first(band); row < bands.last(band); ++row) ++done[static_cast<std::size_t>(row)];
+    });
+    for (const auto& times : done) EXPECT_EQ(times, 1);
+  }
 }
 
 TEST(Utf8, RefusesWhatIsNotUtf8) {

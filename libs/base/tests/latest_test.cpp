@@ -44,6 +44,20 @@ TEST(Latest, AnswersARequestOnTheOwnersThread) {
   EXPECT_EQ(squares.parts, std::vector{0.5});
 }
 
+TEST(Latest, PartsThatNobodyWantsAreDropped) {
+  Inbox inbox;
+  int answer = 0;
+  Latest<int, int> latest{"parts", inbox,
+                          [](int number, const auto& run) {
+                            run.report(0.5);
+                            return number;
+                          },
+                          [&answer](int made) { answer = made; }};
+  latest.request(7);
+  inbox.run_until([&] { return !latest.is_busy(); });
+  EXPECT_EQ(answer, 7);
+}
+
 TEST(Latest, ANewerRequestStopsTheOneThatRunsAndDropsItsAnswerAndItsParts) {
   Squares squares;
   squares.held = true;
