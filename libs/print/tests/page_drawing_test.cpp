@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "nazori/kanji/kanji_database.h"
+#include "nazori/print/sheet_mark.h"
 #include "nazori/print/worksheet.h"
 #include "page_parts.h"
 
@@ -51,6 +52,35 @@ TEST(PageDrawing, HasTheSizeOfThePaper) {
   const PageDrawing folded = sheet(U"休", settings).page(0);
   EXPECT_DOUBLE_EQ(folded.width_mm, 257);
   EXPECT_DOUBLE_EQ(folded.height_mm, 182);
+}
+
+/// Whether a filled rectangle of the page covers a place.
+bool is_dark(const PageDrawing& page, PaperPoint at) {
+  for (const PageMark& mark : page.marks) {
+    if (!mark.filled || mark.grey > 0.1) continue;
+    PageMark rectangle;
+    const auto covers = [&rectangle, at] {
+      const Box box = box_of(rectangle);
+      return box.left < at.x && at.x < box.right && box.top < at.y && at.y < box.bottom;
+    };
+    for (const PathStep& step : mark.path) {
+      if (step.kind == PathStep::Kind::move) {
+        if (covers()) return true;
+        rectangle.path.clear();
+      }
+      rectangle.path.push_back(step);
+    }
+    if (covers()) return true;
+  }
+  return false;
+}
+
+// By this row a reader finds the columns of the mark.
+TEST(PageDrawing, TheFirstRowOfTheMarkAlternatesDarkFirst) {
+  const PageDrawing page = sheet(U"休").page(0);
+  const int columns = mark_columns(kFewestMarkBytes);
+  for (int column = 0; column < columns; ++column)
+    EXPECT_EQ(is_dark(page, module_centre(page.height_mm, column, 0)), column % 2 == 0) << column;
 }
 
 TEST(PageDrawing, SaysWhatIsWrittenOnThePage) {

@@ -327,6 +327,19 @@ TEST(Worksheet, WhatCannotBePrintedIsRefused) {
   EXPECT_THAT(worksheet_pdf({}, {}).error().what, HasSubstr("no character"));
 }
 
+TEST(Worksheet, ASignThatClosesStandsInTheFirstCellOfATextThatBeginsWithIt) {
+  SheetSettings settings;
+  settings.layout = Layout::manuscript;
+  settings.text = "。あ";
+  const PrintedPages paper(worksheet_pdf({}, settings));
+  EXPECT_THAT(paper.free_mm(1), Each(Ge(kMargin_mm - kBlur_mm)));
+  // pdftotext -bbox: in points from the upper edge; the sheet lies on its side.
+  const std::string boxes = paper.run("pdftotext -bbox a.pdf - ");
+  std::smatch first;
+  ASSERT_TRUE(std::regex_search(boxes, first, std::regex("yMin=\"([0-9.]+)\"[^>]*>。"))) << boxes;
+  EXPECT_GE(std::stod(first[1]), kMargin_mm * 72 / 25.4 - 5) << "a cell is 19 points high";
+}
+
 TEST(Worksheet, ItCanBeStopped) {
   const auto pdf = worksheet_pdf(characters(U"休"), {}, [](double, std::string_view) { return false; });
   EXPECT_EQ(pdf.error().code, base::Errc::cancelled);
