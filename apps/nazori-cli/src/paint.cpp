@@ -96,11 +96,7 @@ class Writing {
       swept.clear();
       tuft.set_wetness(load.fullness());
       brush::HolderPose pose = holder.next(sample);
-      if (pose.depth_m > 0) {
-        pose.at = aim.foot(sample.at, pose.depth_m, tuft);
-      } else {
-        aim.lift();
-      }
+      aim.lead(pose, tuft);
       tuft.move_to(pose, swept);
       sheet_.touch(swept, load);
       note_stroke(sample, pose, swept);

@@ -33,6 +33,13 @@ double Aim::usual_reach_m(double depth_m) const {
   return reach_m_[below] + (at - static_cast<double>(below)) * (reach_m_[below + 1] - reach_m_[below]);
 }
 
+void Aim::lead(HolderPose& pose, const Tuft& tuft) {
+  if (pose.depth_m > 0)
+    pose.at = foot(pose.at, pose.depth_m, tuft);
+  else
+    before_.reset();
+}
+
 geometry::PaperPoint Aim::foot(geometry::PaperPoint pen, double depth_m, const Tuft& tuft) {
   if (!tuft.touching()) {
     ahead_rad_ = tuft.points_to_rad() + std::numbers::pi;

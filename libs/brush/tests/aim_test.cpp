@@ -69,10 +69,7 @@ class Writer {
     }
     was_down_ = down;
     last_ = pen;
-    if (pose.depth_m > 0)
-      pose.at = aim_.foot(pen, pose.depth_m, tuft_);
-    else
-      aim_.lift();
+    aim_.lead(pose, tuft_);
     tuft_.move_to(pose, swept_);
   }
 
@@ -115,12 +112,16 @@ TEST(Aim, TheFootIsAheadAsFarAsTheHairBends) {
   tuft.move_to(above, swept);
   // The tip points up to the left, so the foot comes down to the lower right of the pen, farther the deeper.
   double before = 0;
-  for (const double depth : {0.0, 0.1, 0.2, 0.3}) {
+  for (const double depth : {0.0, 1e-13, 0.1, 0.2, 0.3}) {
     Aim fresh(form);
-    const auto foot = fresh.foot({0.01, 0.02}, depth * form.hair_m, tuft);
+    HolderPose pose;
+    pose.at = {0.01, 0.02};
+    pose.depth_m = depth * form.hair_m;
+    fresh.lead(pose, tuft);
+    const geometry::PaperPoint foot = pose.at;
     EXPECT_NEAR(foot.x - 0.01, -(foot.y - 0.02), 1e-9);
     const double lead = geometry::distance(foot, {0.01, 0.02});
-    if (depth == 0) {
+    if (depth < 1e-9) {
       EXPECT_NEAR(lead, 0, 1e-12);
     } else {
       EXPECT_GT(lead, before);

@@ -26,7 +26,7 @@ double drawn_half_width_m(const brush::TuftForm& form, brush::Aim aim, double pr
     sample.pressure = pressure;
     swept.clear();
     brush::HolderPose pose = holder.next(sample);
-    pose.at = aim.foot(sample.at, pose.depth_m, tuft);
+    aim.lead(pose, tuft);
     tuft.move_to(pose, swept);
     add_point(stroke, sample, swept);
   }

@@ -167,17 +167,13 @@ void SheetEditor::move_pen(brush::PenSample sample) {
   tuft_.set_wetness(load_.fullness());
   if (comes_down) touch_down(sample);
   brush::HolderPose pose = holder_.next(sample);
-  if (pose.depth_m > 0) {
-    pose.at = aim_.foot(sample.at, pose.depth_m, tuft_);
-  } else {
-    aim_.lift();
-    // The foot comes back to the pen before the tip leaves the paper, so that the stroke ends there.
-    if (is_writing_ && tuft_.touching()) {
-      brush::HolderPose leaves = pose;
-      leaves.depth_m = 0;
-      leaves.time_s = last_.time_s + (pose.time_s - last_.time_s) / 2;
-      tuft_.move_to(leaves, swept_);
-    }
+  aim_.lead(pose, tuft_);
+  // The foot comes back to the pen before the tip leaves the paper, so that the stroke ends there.
+  if (pose.depth_m <= 0 && is_writing_ && tuft_.touching()) {
+    brush::HolderPose leaves = pose;
+    leaves.depth_m = 0;
+    leaves.time_s = last_.time_s + (pose.time_s - last_.time_s) / 2;
+    tuft_.move_to(leaves, swept_);
   }
   tuft_.move_to(pose, swept_);
   if (is_writing_) {

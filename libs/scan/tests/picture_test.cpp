@@ -70,8 +70,7 @@ TEST(Photo, APhotographStandsUprightHoweverTheCameraWasHeld) {
   surface::ColourPicture picture = ramp();
   for (std::size_t i = 3 * 128 * 48; i < picture.rgb.size(); ++i) picture.rgb[i] = 0;
   const auto jpeg = jpeg_of(picture);
-  // Where the bright end of the upper edge and of the lower one come to lie. @source the pictures of
-  // Exif 2.3.
+  // The places where the bright ends of both edges are expected. @source the pictures of Exif 2.3.
   struct Case {
     std::uint8_t orientation;
     double bright_x, bright_y, dark_x, dark_y;  // shares of the sides

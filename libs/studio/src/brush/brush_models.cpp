@@ -69,6 +69,13 @@ std::vector<calligraphy::SheetModel> BrushPage::sheet_models() const {
   return standing;
 }
 
+std::vector<calligraphy::ModelStroke> BrushPage::model_strokes() const {
+  std::vector<calligraphy::ModelStroke> all;
+  for (const auto& model : sheet_models())
+    for (auto& stroke : calligraphy::strokes_of(model)) all.push_back(std::move(stroke));
+  return all;
+}
+
 void BrushPage::show_model() {
   request_font_models();
   draw_model();
@@ -76,9 +83,7 @@ void BrushPage::show_model() {
 
 void BrushPage::draw_model() {
   stop_teacher();
-  std::vector<calligraphy::ModelStroke> all;
-  for (const auto& model : sheet_models())
-    for (auto& stroke : calligraphy::strokes_of(model)) all.push_back(std::move(stroke));
+  auto all = model_strokes();
   show_strokes_to_keys(all);
   paper_->show_model(std::move(all), calligraphy::ruled_squares(ruling()), choice_.place);
   panel_->show_model_words(model_words());

@@ -19,9 +19,7 @@ void BrushPage::watch_teacher() {
     stop_teacher();
     return parts().respond(Feedback::hint, tr("Stopped."));
   }
-  std::vector<calligraphy::ModelStroke> strokes;
-  for (const auto& model : sheet_models())
-    for (auto& stroke : calligraphy::strokes_of(model)) strokes.push_back(std::move(stroke));
+  auto strokes = model_strokes();
   if (strokes.empty())
     return parts().respond(Feedback::hint, tr("There is no model to be written. T: type a text."));
   if (writing_->state().strokes > 0) {

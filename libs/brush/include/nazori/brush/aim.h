@@ -17,15 +17,16 @@ class Aim {
   /// @cost some milliseconds: finds out how far this tuft bends under each depth.
   explicit Aim(const TuftForm& form);
 
-  /// Where the foot belongs while the pen is on the paper at `pen`. @param depth_m  of the pose that is to be
-  /// taken there. @param tuft  as it is now, before that.
-  [[nodiscard]] geometry::PaperPoint foot(geometry::PaperPoint pen, double depth_m, const Tuft& tuft);
-  /// The pen is off the paper: the next stroke starts as the brush points then.
-  void lift() { before_.reset(); }
+  /// Moves the foot of a pose from the pen to where it belongs. Off the paper it stays at the pen, and the
+  /// next stroke starts as the brush points then. @param pose  that is to be taken next, in metres on the
+  /// sheet.
+  /// @param tuft  as it is now, before that.
+  void lead(HolderPose& pose, const Tuft& tuft);
 
  private:
   static constexpr std::size_t kSteps = 12;
   [[nodiscard]] double usual_reach_m(double depth_m) const;
+  [[nodiscard]] geometry::PaperPoint foot(geometry::PaperPoint pen, double depth_m, const Tuft& tuft);
 
   double step_m_;                             ///< of depth
   std::array<double, kSteps + 1> reach_m_{};  ///< of a tuft that is drawn at a depth

@@ -10,7 +10,7 @@
 
 namespace nazori::calligraphy {
 
-/// How a teacher moves who shows a character: unhurried, so that one can follow. Speeds in m/s, on the sheet.
+/// The pace of a teacher who shows a character slowly enough to follow. Speeds are in m/s on the sheet.
 struct HandPace {
   double body_m_s = 0.045;
   double bend_m_s = 0.022;   ///< where a stroke starts, and where its line turns sharply

@@ -106,6 +106,7 @@ class BrushPage final : public Page {
   [[nodiscard]] std::string font() const;
   /// The models whose strokes are known, each in its square.
   [[nodiscard]] std::vector<calligraphy::SheetModel> sheet_models() const;
+  [[nodiscard]] std::vector<calligraphy::ModelStroke> model_strokes() const;  ///< of all of them, in order
   void request_advice();
   void show_advice(const std::vector<calligraphy::CharacterAdvice>& advice);
   void clear_advice();
