@@ -139,8 +139,8 @@ function(nazori_rt_calls name roots)
   endif()
 endfunction()
 
-# nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH
-# ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>] [TESTS_TOGETHER [TESTS_ALONE ...]] [ISOLATED_TESTS REGEX] [SANITIZED_PARTS N]
+# nazori_module(NAME SOURCES ... [ALONE ...] DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH
+# ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>] [TESTS_ALONE ...] [ISOLATED_TESTS REGEX] [SANITIZED_PARTS N]
 # [NOT_SANITIZED FILTER] [NOT_THREADED FILTER] [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
 # One room: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench file as part
@@ -150,11 +150,11 @@ endfunction()
 # test files whose tests need a process each, because they share one set of signals. With a sanitizer the other tests
 # share SANITIZED_PARTS processes (2 unless told otherwise; "2/8": see nazori_test_parts), without those that the filter NOT_SANITIZED names; otherwise
 # each test has its own process. The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot
-# race. It runs all of them but those that NOT_SANITIZED or NOT_THREADED names. TESTS_TOGETHER: see
+# race. It runs all of them but those that NOT_SANITIZED or NOT_THREADED names. ALONE and TESTS_ALONE: see
 # nazori_compile_together.
 function(nazori_module name)
-  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" "ISOLATED_TESTS;SANITIZED_PARTS;NOT_SANITIZED;NOT_THREADED"
-    "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;TESTS_ALONE;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
+  cmake_parse_arguments(m "NEEDS_DATABASE" "ISOLATED_TESTS;SANITIZED_PARTS;NOT_SANITIZED;NOT_THREADED"
+    "SOURCES;ALONE;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;TESTS_ALONE;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
   if(m_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nazori_module(${name}): unknown ${m_UNPARSED_ARGUMENTS}")
   endif()
@@ -167,6 +167,7 @@ function(nazori_module name)
     if(NAZORI_BUILD_FUZZERS AND m_FUZZERS)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
+    nazori_compile_together(${target} ALONE ${m_ALONE})
     list(LENGTH m_SOURCES files)
     if(files GREATER_EQUAL 10 AND NOT name MATCHES "^(studio|ui|widgets)$")
       nazori_precompiled_headers(${target} <algorithm> <cmath> <functional> <memory> <optional> <span> <string> <vector>)
@@ -189,9 +190,7 @@ function(nazori_module name)
                                                   GTest::gtest_main)
     nazori_test_paths(${target}_tests kFixtures "${CMAKE_CURRENT_SOURCE_DIR}/tests/fixtures" ${m_TEST_PATHS})
     nazori_test_program(${target}_tests)
-    if(m_TESTS_TOGETHER)
-      nazori_compile_together(${target}_tests ALONE ${m_TESTS_ALONE})
-    endif()
+    nazori_compile_together(${target}_tests ALONE ${m_TESTS_ALONE})
     # Precompiled headers take a hundred megabytes and more, so only programs of many files use them.
     list(LENGTH m_TESTS test_files)
     if(test_files GREATER_EQUAL 10)

@@ -17,28 +17,28 @@ using base::Errc;
 
 constexpr std::size_t kLongest = 65536;
 
-struct Field {
+struct PaperNumber {
   std::string_view name;
   double Paper::*value;
   double least, most;
 };
 
-constexpr std::array kFields{
-    Field{"spread_m2_s", &Paper::spread_m2_s, 0, 4e-6},
-    Field{"spread_variation", &Paper::spread_variation, 0, 1},
-    Field{"pinning", &Paper::pinning, 0, 0.9},
-    Field{"pinning_height", &Paper::pinning_height, 0, 0.9},
-    Field{"pinning_fibre", &Paper::pinning_fibre, 0, 0.9},
-    Field{"absorption_s", &Paper::absorption_s, 0, 100},
-    Field{"drying_s", &Paper::drying_s, 0, 1e6},
-    Field{"rim_drying", &Paper::rim_drying, 0, 10},
-    Field{"fixing_s", &Paper::fixing_s, 0, 1e6},
-    Field{"granulation", &Paper::granulation, 0, 1},
-    Field{"kasure_s", &Paper::kasure_s, 0, 10},
-    Field{"kasure_exponent", &Paper::kasure_exponent, 0.25, 4},
-    Field{"film", &Paper::film, 0.05, 4},
-    Field{"grain_m", &Paper::grain_m, 0.0001, 0.005},
-    Field{"wet_darkening", &Paper::wet_darkening, 0, 0.95},
+constexpr std::array kPaperNumbers{
+    PaperNumber{"spread_m2_s", &Paper::spread_m2_s, 0, 4e-6},
+    PaperNumber{"spread_variation", &Paper::spread_variation, 0, 1},
+    PaperNumber{"pinning", &Paper::pinning, 0, 0.9},
+    PaperNumber{"pinning_height", &Paper::pinning_height, 0, 0.9},
+    PaperNumber{"pinning_fibre", &Paper::pinning_fibre, 0, 0.9},
+    PaperNumber{"absorption_s", &Paper::absorption_s, 0, 100},
+    PaperNumber{"drying_s", &Paper::drying_s, 0, 1e6},
+    PaperNumber{"rim_drying", &Paper::rim_drying, 0, 10},
+    PaperNumber{"fixing_s", &Paper::fixing_s, 0, 1e6},
+    PaperNumber{"granulation", &Paper::granulation, 0, 1},
+    PaperNumber{"kasure_s", &Paper::kasure_s, 0, 10},
+    PaperNumber{"kasure_exponent", &Paper::kasure_exponent, 0.25, 4},
+    PaperNumber{"film", &Paper::film, 0.05, 4},
+    PaperNumber{"grain_m", &Paper::grain_m, 0.0001, 0.005},
+    PaperNumber{"wet_darkening", &Paper::wet_darkening, 0, 0.95},
 };
 constexpr double kLeastColour = 0.05;
 // Faster drying would take more than a rim cell can lose in one step.
@@ -78,7 +78,7 @@ bool is_name(std::string_view text) {
 
 std::string names_of_fields() {
   std::string names = "name, paper, colour, seed";
-  for (const Field& field : kFields) names.append(", ").append(field.name);
+  for (const PaperNumber& field : kPaperNumbers) names.append(", ").append(field.name);
   return names;
 }
 
@@ -104,7 +104,7 @@ base::Result<void> read_value(Paper& paper, std::string_view name, std::string_v
       return base::fail(Errc::parse, "is no colour", {}, "give three numbers, as in 0.9 0.9 0.85");
     return {};
   }
-  for (const Field& field : kFields) {
+  for (const PaperNumber& field : kPaperNumbers) {
     if (field.name != name) continue;
     if (!read_number(value, paper.*field.value))
       return base::fail(Errc::parse, "is no number", {},
@@ -190,7 +190,7 @@ base::Result<Paper> find_paper(std::string_view name) {
 }
 
 base::Result<void> check(const Paper& paper) {
-  for (const Field& field : kFields)
+  for (const PaperNumber& field : kPaperNumbers)
     if (!is_within(paper.*field.value, field.least, field.most))
       return base::fail(Errc::bad_argument, fmt::format("{} is outside its range", paper.*field.value),
                         std::string(field.name), fmt::format("give {} to {}", field.least, field.most));
@@ -239,7 +239,8 @@ base::Result<Paper> parse_paper(std::string_view text) {
 
 std::string to_text(const Paper& paper) {
   std::string text = fmt::format("name = {}\n", paper.name);
-  for (const Field& field : kFields) text += fmt::format("{} = {}\n", field.name, paper.*field.value);
+  for (const PaperNumber& field : kPaperNumbers)
+    text += fmt::format("{} = {}\n", field.name, paper.*field.value);
   text += fmt::format("colour = {} {} {}\nseed = {}\n", paper.colour[0], paper.colour[1], paper.colour[2],
                       paper.seed);
   return text;
