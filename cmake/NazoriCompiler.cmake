@@ -114,7 +114,8 @@ function(nazori_names file overloads hidden visible)
   endforeach()
 endfunction()
 
-# nazori_names_of_headers(FILE NAMES): the names that the headers of the same room declare which a source includes.
+# nazori_names_of_headers(FILE NAMES): the names that the headers of the same room declare which a file includes,
+# directly or through others.
 function(nazori_names_of_headers file names)
   get_filename_component(folder "${file}" DIRECTORY)
   file(STRINGS "${file}" includes REGEX "^#include \"")
@@ -129,7 +130,10 @@ function(nazori_names_of_headers file names)
       get_property(is_known GLOBAL PROPERTY nazori_names_${key} SET)
       if(NOT is_known)
         nazori_names("${place}/${header}" FALSE hidden visible)
+        # Before its own headers are read, so that a circle ends.
         set_property(GLOBAL PROPERTY nazori_names_${key} "${visible}")
+        nazori_names_of_headers("${place}/${header}" further)
+        set_property(GLOBAL PROPERTY nazori_names_${key} "${visible};${further}")
       endif()
       get_property(visible GLOBAL PROPERTY nazori_names_${key})
       list(APPEND all ${visible})
