@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "nazori/base/file.h"
@@ -119,22 +117,6 @@ base::Result<BrushScript> handwriting_of(const json::Value& request, double side
   return script;
 }
 
-/// Pressure of a writing hand at `along` of a stroke, 0..1.
-double pressure_at(double along, kanji::StrokeEnding ending) {
-  constexpr double kEnters = 0.10, kBody = 0.42, kEntry = 0.52, kStop = 0.50;
-  if (along < kEnters) return kEntry;
-  if (ending == kanji::StrokeEnding::taper) {
-    constexpr double kSweepsFrom = 0.45;
-    return along < kSweepsFrom ? kBody : kBody * (1 - (along - kSweepsFrom) / (1 - kSweepsFrom));
-  }
-  if (ending == kanji::StrokeEnding::hook) {
-    constexpr double kHooksFrom = 0.85;
-    return along < kHooksFrom ? kBody : kBody * (1 - (along - kHooksFrom) / (1 - kHooksFrom));
-  }
-  constexpr double kStopsFrom = 0.88;
-  return along < kStopsFrom ? kBody : kBody + (kStop - kBody) * (along - kStopsFrom) / (1 - kStopsFrom);
-}
-
 base::Result<BrushScript> read_either(const std::string& file, double side_m) {
   if (has_extension(file, ".csv")) return read_trajectory(file);
   if (!has_extension(file, ".json"))
@@ -166,46 +148,6 @@ base::Result<BrushScript> read_brush_script(const std::string& file, double side
   const double first_s = script->samples.empty() ? 0 : script->samples.front().time_s;
   for (PenSample& sample : script->samples) sample.time_s -= first_s;
   return script;
-}
-
-std::vector<PenSample> samples_of(const std::vector<kanji::StrokeLine>& lines, double side_m) {
-  constexpr double kSpacing_m = 0.0005;
-  constexpr double kSide = geometry::kGlyphSide;
-  Pen pen;
-  for (const kanji::StrokeLine& line : lines) {
-    std::vector<PaperPoint> points;
-    for (const auto& p : line.points)
-      points.push_back({(p.x / kSide - 0.5) * side_m, (0.5 - p.y / kSide) * side_m});
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += geometry::distance(points[i - 1], points[i]);
-    pen.go_to(points.front(), {}, pressure_at(0, line.ending));
-    double along = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const double way = geometry::distance(points[i - 1], points[i]);
-      if (way <= 0) continue;
-      const int parts = std::max(1, static_cast<int>(std::ceil(way / kSpacing_m)));
-      for (int k = 1; k <= parts; ++k) {
-        const double share = static_cast<double>(k) / parts;
-        const PaperPoint at{points[i - 1].x + share * (points[i].x - points[i - 1].x),
-                            points[i - 1].y + share * (points[i].y - points[i - 1].y)};
-        pen.go_to(at, {}, std::clamp(pressure_at((along + share * way) / length, line.ending), 0.0, 1.0));
-      }
-      along += way;
-    }
-    pen.lift();
-  }
-  return std::move(pen).samples();
-}
-
-std::vector<PenSample> samples_of(const std::vector<calligraphy::ModelStroke>& strokes,
-                                  const calligraphy::BrushWidths& widths) {
-  Pen pen;
-  for (const calligraphy::ModelStroke& stroke : strokes) {
-    for (std::size_t i = 0; i < stroke.points.size(); ++i)
-      pen.go_to(stroke.points[i], {}, widths.pressure_for(stroke.half_width_m[i]));
-    pen.lift();
-  }
-  return std::move(pen).samples();
 }
 
 }  // namespace nazori::cli

@@ -6,10 +6,7 @@
 #include <vector>
 
 #include "nazori/base/result.h"
-#include "nazori/brush/replay.h"
-#include "nazori/calligraphy/brush_widths.h"
-#include "nazori/calligraphy/ruling.h"
-#include "nazori/kanji/stroke.h"
+#include "nazori/brush/pen.h"
 
 namespace nazori::cli {
 
@@ -24,15 +21,6 @@ struct BrushScript {
 /// without times is written at kPlainSpeed_m_s.
 /// @return Errc::parse or Errc::bad_argument; each names the file.
 [[nodiscard]] base::Result<BrushScript> read_brush_script(const std::string& file, double side_m);
-
-/// The strokes of a model as a hand writes them: pressed at the start, lifted in a sweep or hook, pressed
-/// again at a stop.
-[[nodiscard]] std::vector<brush::PenSample> samples_of(const std::vector<kanji::StrokeLine>& lines,
-                                                       double side_m);
-
-/// The strokes of a model that have their own widths, written with a brush that makes them as broad.
-[[nodiscard]] std::vector<brush::PenSample> samples_of(const std::vector<calligraphy::ModelStroke>& strokes,
-                                                       const calligraphy::BrushWidths& widths);
 
 /// Speed of a pen whose times are not known.
 inline constexpr double kPlainSpeed_m_s = 0.06;

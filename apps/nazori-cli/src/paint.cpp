@@ -17,9 +17,10 @@
 #include "json_answers.h"
 #include "nazori/author/font_model.h"
 #include "nazori/base/utf8.h"
-#include "nazori/brush/aim.h"
-#include "nazori/brush/tuft.h"
+#include "nazori/brush/held_brush.h"
+#include "nazori/calligraphy/brush_widths.h"
 #include "nazori/calligraphy/sheet_export.h"
+#include "nazori/calligraphy/teacher_hand.h"
 #include "nazori/exchange/tablets.h"
 #include "nazori/paint/sheet.h"
 #include "nazori/paint/sheet_picture.h"
@@ -81,10 +82,7 @@ class Writing {
     paint::Concentrations ink{};
     ink[slot] = settings.strength;
     paint::InkLoad load = paint::dipped(form_.holds_m3, settings.load, ink, ink);
-    brush::Tuft tuft(form_);
-    brush::PenToHolder holder(form_, {});
-    brush::Aim aim(form_);
-    std::vector<geometry::BristleSegment> swept;
+    brush::HeldBrush brush(form_);
     double passed_s = samples.empty() ? 0 : samples.front().time_s;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       for (; passed_s + paint::Sheet::kStep_s <= samples[i].time_s; passed_s += paint::Sheet::kStep_s)
@@ -93,13 +91,13 @@ class Writing {
       sample.lean_rad = settings.lean_deg * std::numbers::pi / 180;
       // The upper end leans to the right and towards the writer, as in a right hand.
       sample.lean_to_rad = -std::numbers::pi / 4;
-      swept.clear();
-      tuft.set_wetness(load.fullness());
-      brush::HolderPose pose = holder.next(sample);
-      aim.lead(pose, tuft);
-      tuft.move_to(pose, swept);
+      const bool was_down = brush.pen().is_down();
+      const auto swept = brush.move(sample, load.fullness());
       sheet_.touch(swept, load);
-      note_stroke(sample, pose, swept);
+      if (sample.is_down()) {
+        if (!was_down) strokes_.emplace_back();
+        calligraphy::add_point(strokes_.back(), sample, swept);
+      }
       if (!progress.show(static_cast<double>(i) / static_cast<double>(samples.size()), "writing"))
         return base::fail(base::Errc::cancelled, "stopped", settings.script);
     }
@@ -118,14 +116,6 @@ class Writing {
   [[nodiscard]] const std::vector<calligraphy::BrushStroke>& strokes() const { return strokes_; }
 
  private:
-  void note_stroke(const brush::PenSample& sample, const brush::HolderPose& pose,
-                   const std::vector<geometry::BristleSegment>& swept) {
-    const bool presses = pose.depth_m > 0;
-    if (presses && !pressed_) strokes_.emplace_back();
-    pressed_ = presses;
-    if (presses) calligraphy::add_point(strokes_.back(), sample, swept);
-  }
-
   base::Result<void> step() {
     sheet_.step();
     if (frames_.empty() || ++steps_ % kStepsPerFrame != 0) return {};
@@ -138,7 +128,6 @@ class Writing {
   std::string frames_;
   paint::SheetPicture picture_;
   std::vector<calligraphy::BrushStroke> strokes_;
-  bool pressed_ = false;
   int steps_ = 0, saved_ = 0;
 };
 
@@ -243,19 +232,21 @@ struct WrittenModel {
 
 base::Result<WrittenModel> written_model(Console& console, const kanji::Character& character,
                                          const PaintSettings& settings) {
-  const double side_m = settings.size_mm * 1e-3;
+  const auto form = brush::tuft_form(settings.number, hairs().at(settings.hair));
+  if (!form) return tl::unexpected(form.error());
+  const calligraphy::RuledSquare square{{}, settings.size_mm * 1e-3};
+  const auto write = [&form](const std::vector<calligraphy::ModelStroke>& strokes) {
+    return calligraphy::teacher_hand(strokes, calligraphy::BrushWidths(*form));
+  };
   if (!settings.model_font.empty()) {
-    const auto form = brush::tuft_form(settings.number, hairs().at(settings.hair));
-    if (!form) return tl::unexpected(form.error());
     const auto found = author::font_model(character.code_point, character.lines(), settings.model_font);
-    if (found) {
-      const auto strokes = calligraphy::model_strokes(author::grooves_of(found->strokes), {{}, side_m});
-      return WrittenModel{samples_of(strokes, calligraphy::BrushWidths(*form)), settings.model_font};
-    }
+    if (found)
+      return WrittenModel{write(calligraphy::model_strokes(author::grooves_of(found->strokes), square)),
+                          settings.model_font};
     if (found.error().code != base::Errc::not_found) return tl::unexpected(found.error());
     console.inform(base::to_line(found.error()) + ": the model has printed lines");
   }
-  return WrittenModel{samples_of(character.lines(), side_m), {}};
+  return WrittenModel{write(calligraphy::model_strokes(character.lines(), square)), {}};
 }
 
 int run(Console& console, const PaintSettings& settings) {

@@ -2,33 +2,24 @@
 #include "nazori/calligraphy/brush_widths.h"
 
 #include <algorithm>
-#include <vector>
 
-#include "nazori/brush/aim.h"
-#include "nazori/brush/replay.h"
+#include "nazori/brush/held_brush.h"
 #include "nazori/calligraphy/brush_stroke.h"
 
 namespace nazori::calligraphy {
 namespace {
 
 /// Half of the width of a straight stroke at its end, where the hair lies along it.
-double drawn_half_width_m(const brush::TuftForm& form, brush::Aim aim, double pressure) {
+double drawn_half_width_m(brush::HeldBrush brush, double pressure) {
   constexpr double kLength_m = 0.02;
   constexpr int kMoves = 40;
-  brush::Tuft tuft(form);
-  brush::PenToHolder holder(form, {});
   BrushStroke stroke;
-  std::vector<geometry::BristleSegment> swept;
   for (int i = 0; i <= kMoves; ++i) {
     brush::PenSample sample;
-    sample.time_s = 0.01 * i;
+    sample.time_s = 0.01 * (i + 1);
     sample.at = {kLength_m * i / kMoves, 0};
     sample.pressure = pressure;
-    swept.clear();
-    brush::HolderPose pose = holder.next(sample);
-    aim.lead(pose, tuft);
-    tuft.move_to(pose, swept);
-    add_point(stroke, sample, swept);
+    add_point(stroke, sample, brush.move(sample, brush.tuft().wetness()));
   }
   return stroke.empty() ? 0 : stroke.back().half_width_m;
 }
@@ -36,10 +27,10 @@ double drawn_half_width_m(const brush::TuftForm& form, brush::Aim aim, double pr
 }  // namespace
 
 BrushWidths::BrushWidths(const brush::TuftForm& form) {
-  const brush::Aim aim(form);
+  const brush::HeldBrush brush(form);
   for (std::size_t i = 1; i < half_width_m_.size(); ++i)
     half_width_m_[i] =
-        std::max(half_width_m_[i - 1], drawn_half_width_m(form, aim, static_cast<double>(i) / kSteps));
+        std::max(half_width_m_[i - 1], drawn_half_width_m(brush, static_cast<double>(i) / kSteps));
 }
 
 double BrushWidths::pressure_for(double half_width_m) const {

@@ -54,9 +54,7 @@ SheetEditor::SheetEditor(Board board, const BrushChoice& choice)
     : board_(std::move(board)),
       choice_(choice),
       form_(form_of(choice)),
-      tuft_(form_),
-      holder_(form_, handling_),
-      aim_(form_),
+      brush_(form_, handling_),
       load_(paint::dipped(form_.holds_m3, 0, {}, {})),
       ink_(kInks.front()) {
   dip_in_ink();
@@ -66,16 +64,17 @@ void SheetEditor::set_brush(const BrushChoice& choice) {
   lift_pen();
   choice_ = choice;
   form_ = form_of(choice);
-  tuft_ = brush::Tuft(form_);
-  holder_ = brush::PenToHolder(form_, handling_);
-  aim_ = brush::Aim(form_);
+  const brush::PenSample pen = brush_.pen();
+  brush_ = brush::HeldBrush(form_, handling_);
   fit_load();
+  // The new brush is in the hand where the old one was.
+  static_cast<void>(brush_.move(pen, load_.fullness()));
 }
 
 void SheetEditor::set_handling(const brush::Handling& handling) {
   lift_pen();
   handling_ = handling;
-  holder_ = brush::PenToHolder(form_, handling_);
+  brush_.set_handling(handling);
 }
 
 /// The slot of the ink on this sheet. A sheet from a file may lack it; then its first ink is used.
@@ -122,21 +121,21 @@ void SheetEditor::dip_in_ink() {
   lift_pen();
   fit_load();
   calligraphy::dip_in_ink(load_, slot_);
-  tuft_.reset();
+  brush_.reset();
 }
 
 void SheetEditor::dip_in_water() {
   lift_pen();
   fit_load();
   calligraphy::dip_in_water(load_);
-  tuft_.reset();
+  brush_.reset();
 }
 
 void SheetEditor::wipe() {
   lift_pen();
   fit_load();
   calligraphy::wipe(load_);
-  tuft_.reset();
+  brush_.reset();
 }
 
 void SheetEditor::remember(Edit edit) {
@@ -159,47 +158,24 @@ void SheetEditor::begin_stroke() {
 
 void SheetEditor::move_pen(brush::PenSample sample) {
   if (!is_finite(sample)) return;
-  sample.time_s = std::max(sample.time_s, last_.time_s + kLeastTime_s);
+  sample.time_s = std::max(sample.time_s, brush_.pen().time_s + kLeastTime_s);
   if (sample.pressure) sample.pressure = std::clamp(*sample.pressure, 0.0, 1.0);
-  const bool comes_down = sample.down && !is_writing_;
-  if (comes_down) begin_stroke();
-  swept_.clear();
-  tuft_.set_wetness(load_.fullness());
-  if (comes_down) touch_down(sample);
-  brush::HolderPose pose = holder_.next(sample);
-  aim_.lead(pose, tuft_);
-  // The foot comes back to the pen before the tip leaves the paper, so that the stroke ends there.
-  if (pose.depth_m <= 0 && is_writing_ && tuft_.touching()) {
-    brush::HolderPose leaves = pose;
-    leaves.depth_m = 0;
-    leaves.time_s = last_.time_s + (pose.time_s - last_.time_s) / 2;
-    tuft_.move_to(leaves, swept_);
-  }
-  tuft_.move_to(pose, swept_);
-  if (is_writing_) {
-    board_.sheet.touch(swept_, load_);
-    // The hair that leaves the paper sweeps on behind the pen; the stroke ends where it was pressed last.
-    if (sample.down) add_point(board_.written.back(), sample, swept_, handling_.guess_pressure);
-  }
-  if (!sample.down) is_writing_ = false;
-  last_ = sample;
-}
-
-/// The brush is above the place where it comes down, wherever it was before, and its tip touches there first.
-void SheetEditor::touch_down(const brush::PenSample& sample) {
-  brush::PenSample above = sample;
-  above.down = false;
-  above.time_s = std::max(last_.time_s, sample.time_s - kLeastTime_s / 2);
-  brush::HolderPose pose = holder_.next(above);
-  tuft_.move_to(pose, swept_);
-  pose.depth_m = 0;
-  tuft_.move_to(pose, swept_);
+  if (sample.is_down() && !is_writing_) begin_stroke();
+  const auto swept = brush_.move(sample, load_.fullness());
+  if (!is_writing_) return;
+  board_.sheet.touch(swept, load_);
+  // The hair that leaves the paper sweeps on behind the pen; the stroke ends where it was pressed last.
+  if (sample.is_down())
+    add_point(board_.written.back(), sample, swept, handling_.guess_pressure);
+  else
+    is_writing_ = false;
 }
 
 void SheetEditor::lift_pen() {
   if (!is_writing_) return;
-  brush::PenSample up = last_;
+  brush::PenSample up = brush_.pen();
   up.down = false;
+  up.height_m.reset();
   up.time_s += kLeastTime_s;
   move_pen(up);
 }
@@ -346,7 +322,7 @@ SheetState SheetEditor::state() const {
 }
 
 BrushShape SheetEditor::brush_shape() const {
-  return {last_.at, tuft_.sections(), form_.shaft_m, tuft_.touching()};
+  return {brush_.pen().at, brush_.tuft().sections(), form_.shaft_m, brush_.tuft().touching()};
 }
 
 const surface::ColourPicture& SheetEditor::picture(std::vector<int>& changed) {

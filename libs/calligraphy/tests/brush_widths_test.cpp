@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nazori/brush/replay.h"
+#include "nazori/brush/pen.h"
 #include "nazori/calligraphy/brush_stroke.h"
 
 namespace nazori::calligraphy {

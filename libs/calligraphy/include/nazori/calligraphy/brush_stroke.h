@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "nazori/brush/replay.h"
+#include "nazori/brush/pen.h"
 #include "nazori/calligraphy/ruling.h"
 #include "nazori/geometry/bristle_segment.h"
 

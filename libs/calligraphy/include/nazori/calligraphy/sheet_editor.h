@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "nazori/base/result.h"
-#include "nazori/brush/aim.h"
-#include "nazori/brush/replay.h"
-#include "nazori/brush/tuft.h"
+#include "nazori/brush/held_brush.h"
 #include "nazori/calligraphy/brush_stroke.h"
 #include "nazori/calligraphy/tools.h"
 #include "nazori/paint/history.h"
@@ -149,7 +147,6 @@ class SheetEditor {
   /// Keeps what is current as the state that `edit` leads to or from, and goes to another state.
   Edit travel(std::deque<Mark>& from, std::deque<Mark>& to);
   void begin_stroke();
-  void touch_down(const brush::PenSample& sample);
   void suit_ink_to_paper(std::string_view before);
   void fit_load();
   void find_ink();
@@ -161,15 +158,11 @@ class SheetEditor {
 
   BrushChoice choice_;
   brush::TuftForm form_;
-  brush::Tuft tuft_;
   brush::Handling handling_;
-  brush::PenToHolder holder_;
-  brush::Aim aim_;
+  brush::HeldBrush brush_;
   paint::InkLoad load_;
   std::string ink_;
   int slot_ = 0;  ///< of the ink; below 0: clear water
-  std::vector<geometry::BristleSegment> swept_;
-  brush::PenSample last_;
   bool is_writing_ = false;
 };
 

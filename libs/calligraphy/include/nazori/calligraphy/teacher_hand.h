@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "nazori/brush/replay.h"
+#include "nazori/brush/pen.h"
 #include "nazori/calligraphy/brush_widths.h"
 #include "nazori/calligraphy/ruling.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nazori/brush/replay.h"
+#include "nazori/brush/pen.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace nazori::brush {
 namespace {
@@ -34,6 +33,18 @@ TEST(PenToHolder, TheHeightOfADeviceIsTakenAsItIs) {
   sample.height_m = -0.004;
   sample.down = false;
   EXPECT_DOUBLE_EQ(holder.next(sample).depth_m, 0.004);
+}
+
+TEST(PenSample, TheHeightOfADeviceSaysWhetherItIsDown) {
+  PenSample sample = pen(0, 0);
+  EXPECT_TRUE(sample.is_down());
+  sample.down = false;
+  EXPECT_FALSE(sample.is_down());
+  sample.height_m = -1e-6;
+  EXPECT_TRUE(sample.is_down());
+  sample.down = true;
+  sample.height_m = 0.0;
+  EXPECT_FALSE(sample.is_down());
 }
 
 TEST(PenToHolder, APenThatIsNotDownIsAboveThePaper) {
@@ -113,47 +124,6 @@ TEST(PenToHolder, TheGuessCanBeSwitchedOff) {
   handling.guess_pressure = false;
   EXPECT_DOUBLE_EQ(guessed(0.5, 0.5, 100, handling), 0.5);
   EXPECT_DOUBLE_EQ(guessed(0.01, 0.5, 100, handling), 0.5);
-}
-
-TEST(Replay, SweepsWhatTheTuftSweepsStepByStep) {
-  std::vector<PenSample> samples;
-  for (int i = 0; i <= 50; ++i) samples.push_back(pen(0.01 * i, 0.001 * i, 0.5));
-  samples.back().down = false;
-  Tuft tuft(number_4()), other(number_4());
-  const auto swept = replay(tuft, samples);
-  ASSERT_TRUE(swept.has_value());
-  std::vector<geometry::BristleSegment> wanted;
-  PenToHolder holder(number_4(), {});
-  for (const PenSample& sample : samples) other.move_to(holder.next(sample), wanted);
-  ASSERT_EQ(swept->size(), wanted.size());
-  EXPECT_GT(wanted.size(), 1000U);
-  EXPECT_EQ(swept->back().to, wanted.back().to);
-  EXPECT_FALSE(tuft.touching());
-}
-
-TEST(Replay, OfNothingSweepsNothing) {
-  Tuft tuft(number_4());
-  const auto swept = replay(tuft, {});
-  ASSERT_TRUE(swept.has_value());
-  EXPECT_TRUE(swept->empty());
-}
-
-TEST(Replay, NamesTheSampleThatIsWrong) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto error_of = [](const std::vector<PenSample>& samples) {
-    Tuft tuft(number_4());
-    const auto swept = replay(tuft, samples);
-    return swept.has_value() ? std::string() : swept.error().where + ": " + swept.error().what;
-  };
-  EXPECT_EQ(error_of({pen(0, 0, 0.5), pen(0, 0, 0.5)}),
-            "sample 2: the time must be after that of the sample before");
-  EXPECT_EQ(error_of({pen(0, nan, 0.5)}), "sample 1: every number must be finite");
-  EXPECT_EQ(error_of({pen(0, 0, 0.5), pen(1, 0, 1.5)}), "sample 2: the pressure is 1.5, but must be 0 to 1");
-  EXPECT_EQ(error_of({pen(0, 0, -0.5)}), "sample 1: the pressure is -0.5, but must be 0 to 1");
-  PenSample high = pen(0, 0);
-  high.height_m = nan;
-  EXPECT_EQ(error_of({high}), "sample 1: every number must be finite");
-  EXPECT_EQ(error_of({pen(0, 0, 0.0), pen(1, 0, 1.0)}), "");
 }
 
 }  // namespace

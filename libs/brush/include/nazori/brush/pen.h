@@ -2,10 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <vector>
 
-#include "nazori/base/result.h"
 #include "nazori/brush/tuft.h"
 
 namespace nazori::brush {
@@ -21,6 +18,9 @@ struct PenSample {
   double lean_rad = 0;     ///< of the holder from upright
   double lean_to_rad = 0;  ///< side to which its upper end leans, from x to y
   double twist_rad = 0;    ///< of the holder about its axis
+
+  /// @return whether it is on the paper: by its height where that is known.
+  [[nodiscard]] bool is_down() const noexcept { return height_m ? *height_m < 0 : down; }
 };
 
 /// How a pen becomes a brush.
@@ -54,12 +54,5 @@ class PenToHolder {
   std::optional<PenSample> before_;
   double guessed_ = 0;
 };
-
-/// Writes a recorded trajectory with `tuft`, which goes on from where it is: the swept bands in order.
-/// @return Errc::bad_argument, with the number of the sample from 1, for a number that is not finite, a
-/// pressure outside 0..1 and a time that is not after the one before.
-[[nodiscard]] base::Result<std::vector<geometry::BristleSegment>> replay(Tuft& tuft,
-                                                                         std::span<const PenSample> samples,
-                                                                         const Handling& handling = {});
 
 }  // namespace nazori::brush

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nazori/brush/replay.h"
-
-#include <fmt/format.h>
+#include "nazori/brush/pen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,27 +53,6 @@ HolderPose PenToHolder::next(const PenSample& sample) noexcept {
   }
   before_ = sample;
   return pose;
-}
-
-base::Result<std::vector<geometry::BristleSegment>> replay(Tuft& tuft, std::span<const PenSample> samples,
-                                                           const Handling& handling) {
-  const auto wrong = [](std::size_t number, std::string what) {
-    return base::fail(base::Errc::bad_argument, std::move(what), fmt::format("sample {}", number));
-  };
-  PenToHolder holder(tuft.form(), handling);
-  std::vector<geometry::BristleSegment> swept;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const PenSample& sample = samples[i];
-    for (const double value : {sample.time_s, sample.at.x, sample.at.y, sample.lean_rad, sample.lean_to_rad,
-                               sample.twist_rad, sample.pressure.value_or(0), sample.height_m.value_or(0)})
-      if (!std::isfinite(value)) return wrong(i + 1, "every number must be finite");
-    if (sample.pressure && (*sample.pressure < 0 || *sample.pressure > 1))
-      return wrong(i + 1, fmt::format("the pressure is {}, but must be 0 to 1", *sample.pressure));
-    if (i > 0 && sample.time_s <= samples[i - 1].time_s)
-      return wrong(i + 1, "the time must be after that of the sample before");
-    tuft.move_to(holder.next(sample), swept);
-  }
-  return swept;
 }
 
 }  // namespace nazori::brush
