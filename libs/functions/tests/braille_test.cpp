@@ -99,6 +99,14 @@ TEST(Nemeth, KeepsDifferentTreesApart) {
   EXPECT_EQ(cells("|x| + floor(x) + ceil(x) + x!"), "⠳⠭⠳⠬⠈⠰⠷⠭⠈⠰⠾⠬⠈⠘⠷⠭⠈⠘⠾⠬⠭⠯");
 }
 
+TEST(Nemeth, ASpaceFollowsTheNameOfAFunction) {
+  const auto cells = [](const char* text) { return expression(text, BrailleCode::nemeth); };
+  // § 119: also before a parenthesis.
+  EXPECT_EQ(cells("max(x, y)"), "⠍⠁⠭⠀⠷⠭⠠⠀⠽⠾");
+  EXPECT_EQ(cells("max(x, y) + 1"), "⠍⠁⠭⠀⠷⠭⠠⠀⠽⠾⠬⠂");
+  EXPECT_EQ(expression("max(x, y)", BrailleCode::ueb), "⠰⠰⠰⠍⠁⠭⠐⠣⠭⠂⠀⠽⠐⠜⠰⠄");
+}
+
 TEST(Nemeth, WritesConditionsCasesAndParameters) {
   EXPECT_EQ(braille("y = x^2 {0<=x<=2}", BrailleCode::nemeth), "⠽⠀⠨⠅⠀⠭⠘⠆⠀⠨⠷⠴⠀⠐⠅⠱⠀⠭⠀⠐⠅⠱⠀⠼⠆⠨⠾");
   EXPECT_EQ(braille("y = {x<0: -x, x}", BrailleCode::nemeth), "⠽⠀⠨⠅⠀⠨⠷⠭⠀⠐⠅⠀⠼⠴⠸⠒⠀⠤⠭⠠⠀⠭⠨⠾");

@@ -226,6 +226,15 @@ TEST(Carve, BumpsRiseFromTheFloorOfTheSecondGrooveAndLeaveItsWalls) {
     tops += is_high(column) && !is_high(column - 1) ? 1 : 0;
   }
   EXPECT_NEAR(tops, 1 / period, 1.5);
+  // One of them stands in the upper left corner of the plate.
+  for (int column = 0; column < kSize; ++column) {
+    const double wave = std::cos(2 * std::numbers::pi * column / (kSize * period)) *
+                        std::cos(2 * std::numbers::pi * 0.5 / period);
+    const double d = 0.0005;  // from the middle of the sample to the middle line
+    const double depth = 0.5 + 0.5 * std::cos(std::numbers::pi * d / kHalfWidth);
+    const double bump = 0.15 * (0.5 + 0.5 * wave) * (depth - 0.7) / 0.3;
+    ASSERT_NEAR(plate.heights.at(column, 500), 1 - depth * (1 - bump), 1e-4) << column;
+  }
 }
 
 TEST(Carve, ARegionHasARippleBetweenATenthAndAQuarterOfTheDepth) {

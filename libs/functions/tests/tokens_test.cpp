@@ -69,6 +69,42 @@ TEST(Tokens, EverySpellingOfASignMeansTheSame) {
   EXPECT_EQ(only("√").kind, T::root);
 }
 
+TEST(Tokens, PrimesAreCountedSignBySign) {
+  for (const char* text : {"'", "’", "′"}) {
+    EXPECT_EQ(only(text).kind, T::prime) << text;
+    EXPECT_EQ(only(text).value, 1) << text;
+    EXPECT_EQ(only(text).text, text);
+  }
+  EXPECT_EQ(only("″").kind, T::prime);
+  EXPECT_EQ(only("″").value, 2);
+  EXPECT_EQ(kinds_of("''x"), (std::vector{T::prime, T::prime, T::variable}));
+  EXPECT_EQ(kinds_of("″x"), (std::vector{T::prime, T::variable}));
+}
+
+TEST(Tokens, OtherSignsOfOneLetterAreThemselves) {
+  const std::pair<const char*, T> signs[] = {{"°", T::degree},  {"º", T::degree},  {":", T::colon},
+                                             {"∧", T::both},    {"∨", T::either},  {"and", T::both},
+                                             {"or", T::either}, {"∫", T::integral}};
+  for (const auto& [text, kind] : signs) {
+    EXPECT_EQ(only(text).kind, kind) << text;
+    EXPECT_EQ(only(text).text, text);
+    const auto twice = tokens_of(std::string(text) + " x");
+    ASSERT_EQ(twice.size(), 3U) << text;
+    EXPECT_EQ(twice[1].variable, Variable::x) << text;
+  }
+}
+
+TEST(Tokens, NotEqualIsToldWithItsColumn) {
+  for (const auto& [text, sign] : {std::pair{"y + 1 != x", "!="}, {"y + 1 ≠ x", "≠"}}) {
+    const auto wrong = tokenize(text, {});
+    ASSERT_FALSE(wrong) << text;
+    EXPECT_EQ(wrong.error().fault, SyntaxFault::not_equal) << text;
+    EXPECT_EQ(wrong.error().column, 7) << text;
+    EXPECT_EQ(wrong.error().subject, sign);
+  }
+  EXPECT_EQ(kinds_of("x! = 2"), (std::vector{T::variable, T::factorial, T::comparison, T::number}));
+}
+
 TEST(Tokens, EverySpellingOfAComparisonMeansTheSame) {
   using C = Comparison;
   for (const auto& [text, which] :
