@@ -326,5 +326,22 @@ TEST(CharacterFormats, WhatAFormatCannotHoldIsRefused) {
   EXPECT_FALSE(import_character({}, CharacterFormat::strokes));
 }
 
+TEST(StrokesSvg, OfPartsThatBeginTogetherTheLargerOneIsAround) {
+  OwnCharacter character = cross();
+  character.strokes.push_back(even_stroke({{20, 80}, {40, 90}}));
+  character.facts.parts = {{"a", {1}}, {"b", {1, 2}}, {"c", {0}}, {"d", {0, 1, 2}}};
+  const auto read = parse_strokes_svg(to_strokes_svg(character));
+  ASSERT_TRUE(read) << base::to_line(read.error());
+  EXPECT_EQ(read->facts.parts,
+            (std::vector<OwnPart>{{"d", {0, 1, 2}}, {"c", {0}}, {"b", {1, 2}}, {"a", {1}}}));
+}
+
+TEST(StrokesSvg, PartsInPiecesWithoutStrokesOrWithoutANameAreNoGroups) {
+  OwnCharacter character = cross();
+  character.strokes.push_back(even_stroke({{20, 80}, {40, 90}}));
+  character.facts.parts = {{"a", {0, 2}}, {"b", {}}, {"", {0}}, {"c", {2}}};
+  EXPECT_EQ(parse_strokes_svg(to_strokes_svg(character))->facts.parts, (std::vector<OwnPart>{{"c", {2}}}));
+}
+
 }  // namespace
 }  // namespace nazori::author

@@ -295,5 +295,48 @@ TEST(CharacterFont, TheMostComplexCharacterStaysWithinTheLimits) {
   EXPECT_EQ(outline.winding({54, 110}), 0);
 }
 
+TEST(CharacterFont, AGlyphHasNoPointTwiceInARow) {
+  // Dots and short strokes whose discs are smaller than a step of the grid.
+  const std::vector<OwnStroke> strokes = {even_stroke({{20, 20}, {20.05, 20.03}, {20.1, 20}}, 0.1),
+                                          even_stroke({{50, 50}}, 0.05), ring({70, 70}, 0.3, 0.2),
+                                          even_stroke({{20, 80}, {60, 90}}, 3)};
+  const Bytes bytes = font_of({{kPrivate, strokes}});
+  const ReadFont font(bytes);
+  ASSERT_TRUE(font.load(kPrivate));
+  const FT_Outline& outline = font.face()->glyph->outline;
+  ASSERT_GE(outline.n_contours, 4);
+  int first = 0;
+  for (int c = 0; c < outline.n_contours; ++c) {
+    const int last = outline.contours[c];
+    for (int i = first; i <= last && last > first; ++i) {
+      const FT_Vector a = outline.points[i];
+      const FT_Vector b = outline.points[i == last ? first : i + 1];
+      EXPECT_FALSE(a.x == b.x && a.y == b.y) << c << ", " << i - first;
+    }
+    first = last + 1;
+  }
+}
+
+TEST(CharacterFont, APointInTheMiddleOfItsNeighboursIsLeftOut) {
+  // TrueType puts such a point between two control points by itself.
+  const Bytes bytes = font_of({{kPrivate, {ring({54, 54}, 30, 5)}}});
+  const ReadFont font(bytes);
+  ASSERT_TRUE(font.load(kPrivate));
+  const FT_Outline& outline = font.face()->glyph->outline;
+  int first = 0;
+  for (int c = 0; c < outline.n_contours; ++c) {
+    const int last = outline.contours[c];
+    const auto on = [&](int i) { return (outline.tags[i] & 1) != 0; };
+    for (int i = first + 1; i < last; ++i) {
+      if (!on(i) || on(i - 1) || on(i + 1)) continue;
+      const FT_Vector a = outline.points[i - 1];
+      const FT_Vector b = outline.points[i + 1];
+      const FT_Vector p = outline.points[i];
+      EXPECT_FALSE(std::abs(2 * p.x - a.x - b.x) <= 1 && std::abs(2 * p.y - a.y - b.y) <= 1) << i;
+    }
+    first = last + 1;
+  }
+}
+
 }  // namespace
 }  // namespace nazori::author

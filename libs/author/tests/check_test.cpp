@@ -3,6 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "nazori/author/character_file.h"
 #include "own_forms.h"
 
@@ -235,6 +242,158 @@ TEST(CheckSvg, FindsWhatKanjiVgsToolsFind) {
   EXPECT_EQ(found(">2</text>", ">3</text>"), V{Kind::svg_number_order});
   EXPECT_EQ(found("</text>\n</g>", "</text>\n<text>3</text></g>"), V{Kind::svg_number_count});
   EXPECT_EQ(check_svg("nonsense"), std::vector<Finding>{});
+}
+
+TEST(Check, EachFindingHasItsName) {
+  const std::pair<Kind, std::string_view> names[] = {{Kind::no_strokes, "no_strokes"},
+                                                     {Kind::no_name, "no_name"},
+                                                     {Kind::number_far, "number_far"},
+                                                     {Kind::numbers_overlap, "numbers_overlap"},
+                                                     {Kind::number_hides_start, "number_hides_start"},
+                                                     {Kind::part_empty, "part_empty"},
+                                                     {Kind::stroke_in_no_part, "stroke_in_no_part"},
+                                                     {Kind::outside, "outside"},
+                                                     {Kind::no_length, "no_length"},
+                                                     {Kind::doubled, "doubled"},
+                                                     {Kind::ending_differs, "ending_differs"},
+                                                     {Kind::point_off_line, "point_off_line"},
+                                                     {Kind::too_shallow, "too_shallow"},
+                                                     {Kind::too_narrow, "too_narrow"},
+                                                     {Kind::thin_wall, "thin_wall"},
+                                                     {Kind::count_differs, "count_differs"},
+                                                     {Kind::licence_lost, "licence_lost"},
+                                                     {Kind::no_licence, "no_licence"},
+                                                     {Kind::svg_view_box, "svg_view_box"},
+                                                     {Kind::svg_size, "svg_size"},
+                                                     {Kind::svg_root_id, "svg_root_id"},
+                                                     {Kind::svg_style, "svg_style"},
+                                                     {Kind::svg_group_id, "svg_group_id"},
+                                                     {Kind::svg_stroke_id, "svg_stroke_id"},
+                                                     {Kind::svg_number_count, "svg_number_count"},
+                                                     {Kind::svg_number_order, "svg_number_order"}};
+  for (const auto& [kind, name] : names) EXPECT_EQ(name_of(kind), name);
+  EXPECT_EQ(name_of(Severity::note), "note");
+  EXPECT_EQ(name_of(Severity::error), "error");
+}
+
+TEST(Check, FindingsComeInTheOrderOfTheirKindsAndStrokes) {
+  OwnCharacter character = cross();
+  character.facts.parts.clear();
+  character.facts.name.clear();
+  character.strokes[0].ending = StrokeEnding::hook;
+  character.strokes[1].ending = StrokeEnding::taper;
+  character.strokes[1].points[0].at = {55, -1};
+  const auto findings = check(character);
+  EXPECT_EQ(kinds_of(findings),
+            (std::vector{Kind::no_name, Kind::outside, Kind::ending_differs, Kind::ending_differs}));
+  EXPECT_EQ(findings[2].stroke, 0U);
+  EXPECT_EQ(findings[3].stroke, 1U);
+}
+
+TEST(Check, ANumberIsFarFromItsStartInEitherDirection) {
+  OwnCharacter character = cross();
+  // The first stroke starts at (15, 50); a digit is 4.6 wide and 6 high.
+  for (const GlyphPoint near :
+       {GlyphPoint{26.9, 53}, GlyphPoint{15, 67.9}, GlyphPoint{0, 52}, GlyphPoint{15, 38.1}}) {
+    character.strokes[0].number_position = near;
+    EXPECT_EQ(kinds(character), std::vector<Kind>{}) << near.x << ", " << near.y;
+  }
+  for (const GlyphPoint far :
+       {GlyphPoint{27.1, 53}, GlyphPoint{15, 68.1}, GlyphPoint{15, 37.9}, GlyphPoint{24, 65}}) {
+    character.strokes[0].number_position = far;
+    EXPECT_EQ(only(character).kind, Kind::number_far) << far.x << ", " << far.y;
+  }
+  character.strokes[0].number_position = GlyphPoint{28, 70};
+  EXPECT_NEAR(only(character).amount, std::hypot(13, 14), 1e-9);
+  EXPECT_EQ(only(character).at, (GlyphPoint{28, 70}));
+}
+
+TEST(Check, NumbersThatTouchDoNotOverlap) {
+  OwnCharacter character = cross();
+  character.strokes[0].points[0].at = {45, 20};
+  character.strokes[0].number_position = GlyphPoint{40, 18};
+  character.strokes[1].number_position = GlyphPoint{44.7, 14};
+  EXPECT_EQ(kinds(character), std::vector<Kind>{});
+  character.strokes[1].number_position = GlyphPoint{44.5, 14};
+  EXPECT_EQ(only(character).kind, Kind::numbers_overlap);
+  character.strokes[1].number_position = GlyphPoint{44.5, 11.9};
+  EXPECT_EQ(kinds(character), std::vector<Kind>{});
+  character.strokes[1].number_position = GlyphPoint{44.5, 12.1};
+  EXPECT_EQ(only(character).kind, Kind::numbers_overlap);
+}
+
+TEST(Check, PointsAreOutsideOnEachSide) {
+  for (const GlyphPoint wrong :
+       {GlyphPoint{-0.1, 50}, GlyphPoint{109.1, 50}, GlyphPoint{15, -0.1}, GlyphPoint{15, 109.1}}) {
+    OwnCharacter character = cross();
+    character.strokes[0].points[0].at = wrong;
+    const auto found = kinds(character);
+    EXPECT_TRUE(std::ranges::find(found, Kind::outside) != found.end()) << wrong.x << ", " << wrong.y;
+  }
+  OwnCharacter character = cross();
+  character.strokes[0].points[0].at = {0, 50};
+  EXPECT_EQ(kinds(character), std::vector<Kind>{});
+}
+
+TEST(Check, DoubledLinesAreAtMostAUnitApart) {
+  const auto beside = [](double apart) {
+    OwnCharacter character = cross();
+    character.facts.parts.clear();
+    character.strokes.push_back(even_stroke({{15, 50 + apart}, {95, 50 + apart}}));
+    return kinds(character);
+  };
+  EXPECT_EQ(beside(0.99), std::vector<Kind>{Kind::doubled});
+  // Lines less than two units apart are one groove.
+  EXPECT_EQ(beside(1.01), std::vector<Kind>{});
+  EXPECT_EQ(beside(1.9), std::vector<Kind>{});
+  EXPECT_EQ(beside(2.01), std::vector<Kind>{Kind::thin_wall});
+}
+
+TEST(Check, ALineTurnsBackByMoreThanAHundredAndSixtyDegrees) {
+  const auto turned = [](double degrees) {
+    OwnCharacter character = cross();
+    const double a = degrees * 3.14159265358979323846 / 180;
+    character.strokes[0] = even_stroke({{15, 50}, {60, 50}, {60 + 30 * std::cos(a), 50 + 30 * std::sin(a)}});
+    return kinds(character);
+  };
+  EXPECT_EQ(turned(159), std::vector<Kind>{});
+  EXPECT_EQ(turned(161), std::vector<Kind>{Kind::point_off_line});
+}
+
+TEST(Check, TheBodyIsBetweenATenthAndThreeQuartersOfTheLine) {
+  // Hardly carved between two places; what is carved deep reaches three units into it.
+  const auto shallow = [](double from, double to) {
+    OwnCharacter character = cross();
+    auto& points = character.strokes[0].points;
+    points = {{{15, 30}, 3, 1},    {{from - 0.1, 30}, 3, 1}, {{from, 30}, 3, 0.05},
+              {{to, 30}, 3, 0.05}, {{to + 0.1, 30}, 3, 1},   {{95, 30}, 3, 1}};
+    return kinds(character);
+  };
+  EXPECT_EQ(shallow(15.3, 24), std::vector<Kind>{}) << "the first tenth is to 23";
+  EXPECT_EQ(shallow(15.3, 26.5), std::vector<Kind>{Kind::too_shallow});
+  EXPECT_EQ(shallow(73.9, 94), std::vector<Kind>{}) << "the last quarter is from 75";
+  EXPECT_EQ(shallow(71.5, 94), std::vector<Kind>{Kind::too_shallow});
+}
+
+TEST(Check, AWallIsBetweenLinesThatRunSideBySide) {
+  const auto with = [](const std::vector<GlyphPoint>& line) {
+    OwnCharacter character = cross();
+    character.facts.parts.clear();
+    character.strokes.push_back(even_stroke(line));
+    return kinds(character);
+  };
+  // 19.9 degrees have a cosine of 0.94.
+  const auto slanted = [](double degrees) {
+    const double a = degrees * 3.14159265358979323846 / 180;
+    return std::vector<GlyphPoint>{{30, 54}, {30 + 22 * std::cos(a), 54 + 22 * std::sin(a)}};
+  };
+  EXPECT_EQ(with(slanted(19)), std::vector<Kind>{Kind::thin_wall});
+  EXPECT_EQ(with(slanted(21)), std::vector<Kind>{});
+  EXPECT_EQ(with({{20, 54}, {45, 54}}), std::vector<Kind>{Kind::thin_wall});
+  // In the other direction, too.
+  EXPECT_EQ(with({{45, 54}, {20, 54}}), std::vector<Kind>{Kind::thin_wall});
+  // What goes on ahead is not beside it.
+  EXPECT_EQ(with({{98.5, 50.9}, {105, 50.9}}), std::vector<Kind>{});
 }
 
 }  // namespace

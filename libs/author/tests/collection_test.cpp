@@ -442,5 +442,14 @@ TEST(KanjiCharacter, WithTheNameOfOneLetterHasThatLetterAsItsPart) {
   EXPECT_EQ(own.children.front().element, "木");
 }
 
+TEST(KanjiCharacter, DoesNotRepeatANameThatIsAMeaning) {
+  OwnCharacter sign = sign_called("school sign");
+  EXPECT_THAT(kanji_character(sign, 0xF0005).entry.meanings,
+              ElementsAre(kanji::Meaning{"en", "school sign"}));
+  sign.facts.name.clear();
+  EXPECT_THAT(kanji_character(sign, 0xF0005).entry.meanings,
+              ElementsAre(kanji::Meaning{"en", "school sign"}));
+}
+
 }  // namespace
 }  // namespace nazori::author

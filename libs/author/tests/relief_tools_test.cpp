@@ -272,5 +272,34 @@ TEST(StampShapes, AreDifferentSymmetricAndInsideTheirSquare) {
               deep(StampShape::triangle, 32, 12));
 }
 
+TEST(StampShapes, AreAsHighAsBelowAndHaveTheirCornersWhereTheyAreDrawn) {
+  for (const StampShape shape :
+       {StampShape::dot, StampShape::ring, StampShape::bar, StampShape::cross, StampShape::square})
+    for (int row = 0; row < 65; ++row)
+      for (int column = 0; column < 65; ++column)
+        ASSERT_NEAR(stamp_of(shape).at(column, row), stamp_of(shape).at(column, 64 - row), 1e-5)
+            << column << ", " << row;
+  for (const StampShape shape : {StampShape::dot, StampShape::cross})
+    for (int row = 0; row < 65; ++row)
+      for (int column = 0; column < 65; ++column)
+        ASSERT_NEAR(stamp_of(shape).at(column, row), stamp_of(shape).at(row, column), 1e-5);
+  // Samples are 1.7 units apart. A line is 14 units wide on each side: full in its middle, nothing beside it.
+  const auto height = [](StampShape shape, double x, double y) {
+    return stamp_of(shape).at(static_cast<int>(std::lround(x * 64 / 109)),
+                              static_cast<int>(std::lround(y * 64 / 109)));
+  };
+  EXPECT_LT(height(StampShape::square, 91, 91), 0.05F);
+  EXPECT_LT(height(StampShape::square, 18, 54.5), 0.05F);
+  EXPECT_LT(height(StampShape::triangle, 91, 89), 0.05F);
+  EXPECT_LT(height(StampShape::triangle, 54.5, 89), 0.05F);
+  EXPECT_EQ(height(StampShape::triangle, 54.5, 106), 1.0F);
+  EXPECT_LT(height(StampShape::bar, 16, 54.5), 0.05F);
+  EXPECT_EQ(height(StampShape::bar, 54.5, 72), 1.0F);
+  EXPECT_LT(height(StampShape::ring, 92.5, 54.5), 0.05F);
+  EXPECT_LT(height(StampShape::ring, 54.5 + 38 * std::sqrt(0.5), 54.5 + 38 * std::sqrt(0.5)), 0.05F);
+  EXPECT_EQ(height(StampShape::ring, 54.5, 73), 1.0F);
+  EXPECT_EQ(height(StampShape::dot, 54.5, 77), 1.0F);
+}
+
 }  // namespace
 }  // namespace nazori::author

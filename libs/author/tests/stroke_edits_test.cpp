@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "own_forms.h"
 
@@ -274,6 +276,94 @@ TEST(Thinned, KeepsOnlyPointsThatLineWidthOrDepthNeed) {
   EXPECT_EQ(kept, (std::vector<double>{20, 39, 40, 41, 49, 50, 51, 60}));
   EXPECT_EQ(thin.ending, kanji::StrokeEnding::taper);
   EXPECT_EQ(thinned(thin), thin);
+}
+
+TEST(StrokeOfPen, WithTooManyPointsItIsOnlyAsCoarseAsItMustBe) {
+  // 1,200 small teeth, which the tolerance of 0.3 keeps, that of 0.45 does not, and a few larger ones.
+  Pen pen;
+  for (int i = 0; i <= 2400; ++i) {
+    const bool is_large = i > 0 && i % 240 == 1;
+    pen.push_back({.at = {i * 0.04, 50 + (is_large ? 0.55 : i % 2 == 1 ? 0.4 : 0)}});
+  }
+  const auto stroke = stroke_of_pen(pen);
+  ASSERT_TRUE(stroke);
+  std::size_t large = 0;
+  std::size_t small = 0;
+  for (const GroovePoint& p : stroke->points) {
+    if (std::abs(p.at.y - 50.55) < 1e-9) ++large;
+    if (std::abs(p.at.y - 50.4) < 1e-9) ++small;
+  }
+  EXPECT_EQ(large, 10U);
+  EXPECT_LT(small, 20U);
+}
+
+TEST(EndingOf, AHookTurnsByFiftyDegreesFromTwoToFourteenUnitsFromItsEnd) {
+  const auto ending = [](double tail, double degrees) {
+    const double a = (90 + degrees) * 3.14159265358979323846 / 180;
+    OwnStroke stroke = even_stroke({{50, 10}, {50, 70}, {50 + tail * std::cos(a), 70 + tail * std::sin(a)}});
+    stroke.points[2].half_width = 0;
+    return ending_of(stroke);
+  };
+  EXPECT_EQ(ending(8, 90), StrokeEnding::hook);
+  EXPECT_EQ(ending(8, 49), StrokeEnding::taper);
+  EXPECT_EQ(ending(14, 90), StrokeEnding::hook);
+  EXPECT_EQ(ending(18, 90), StrokeEnding::taper);
+}
+
+TEST(EndingOf, ATaperIsNarrowerThanSixTenthsOfTheWidthBeforeItsLastPart) {
+  OwnStroke stroke = even_stroke({{20, 20}, {71, 20}, {80, 20}});
+  stroke.points[2].half_width = 1.79;
+  EXPECT_EQ(ending_of(stroke), StrokeEnding::taper);
+  stroke.points[2].half_width = 1.81;
+  EXPECT_EQ(ending_of(stroke), StrokeEnding::stop);
+  // Farther back than the last 15 % it may narrow as it likes.
+  stroke.points = {{{20, 20}, 9, 1}, {{68, 20}, 3, 1}, {{80, 20}, 2.9, 1}};
+  EXPECT_EQ(ending_of(stroke), StrokeEnding::stop);
+}
+
+TEST(NumberPlaces, AroundAStartWithoutRoomItIsTheNearestFreePlaceOfThePicture) {
+  // The second number would have its place around the same start, where fixed numbers leave no room.
+  std::vector<OwnStroke> strokes{even_stroke({{54, 54}, {54, 100}})};
+  for (double y = 30; y <= 84; y += 6.2)
+    for (double x = 28; x <= 80; x += 4.8) {
+      strokes.push_back(even_stroke({{105, 3}, {106, 3}}, 1));
+      strokes.back().number_position = GlyphPoint{x, y};
+    }
+  const GlyphPoint at = number_places(strokes)[0];
+  // Whole units; no nearer one to (46, 52) is free.
+  EXPECT_EQ(at.x, std::floor(at.x));
+  EXPECT_EQ(at.y, std::floor(at.y));
+  const auto is_free = [&](GlyphPoint p) {
+    const NumberBox box = number_box(1, p);
+    if (box.left < 0 || box.top < 0 || box.right > 109 || box.bottom > 109) return false;
+    for (std::size_t k = 1; k < strokes.size(); ++k) {
+      const NumberBox other = number_box(k + 1, *strokes[k].number_position);
+      if (box.left < other.right + 0.4 && other.left < box.right + 0.4 && box.top < other.bottom + 0.4 &&
+          other.top < box.bottom + 0.4)
+        return false;
+    }
+    return away_from(box, {54, 54}) >= 1.5 && away_from(box, {105, 3}) >= 1.5;
+  };
+  EXPECT_TRUE(is_free(at));
+  double least = 1e9;
+  for (double y = 6; y <= 109; y += 1)
+    for (double x = 0; x < 109; x += 1)
+      if (is_free({x, y})) least = std::min(least, std::hypot(x - 46, y - 52));
+  EXPECT_GT(least, 18) << "the places around the start are taken";
+  EXPECT_NEAR(std::hypot(at.x - 46, at.y - 52), least, 1e-9);
+}
+
+TEST(NumberPlaces, OnAGrooveCountsAsSevenUnitsFarther) {
+  // Broad grooves cover all that is within this distance of the start.
+  const auto distance = [](double covered) {
+    const OwnStroke start = even_stroke({{54, 54}, {54, 60}}, 1);
+    const OwnStroke wide = even_stroke({{54.2, 54}, {54.3, 54}}, covered / 0.7);
+    const NumberBox box = number_box(1, number_places(std::vector{start, wide})[0]);
+    return std::hypot((box.left + box.right) / 2 - 54, (box.top + box.bottom) / 2 - 54);
+  };
+  EXPECT_NEAR(distance(1), 5, 1e-9);
+  EXPECT_NEAR(distance(6), 9.5, 1e-9);
+  EXPECT_NEAR(distance(14), 5, 1.1) << "beside it is too far";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "bench_under_test.h"
@@ -157,6 +158,95 @@ TEST_F(WorkbenchGrooveTest, WidthAndDepthAtAPointStayInTheirRange) {
   EXPECT_EQ(refusals_, 0);
   bench_.set_half_width(9, 1);
   EXPECT_EQ(refusals_, 1) << "a point that is not there";
+}
+
+TEST_F(WorkbenchGrooveTest, PlacedPointsBecomeAStrokeAsWideAndDeepAsTheToolIsSet) {
+  bench_.set_settings({.tool = Tool::place, .width = 9, .depth = 0.6, .ending = kanji::StrokeEnding::stop});
+  click({20, 90});
+  click({50, 92});
+  click({80, 90});
+  ASSERT_TRUE(bench_.finish_placing());
+  ASSERT_EQ(strokes().size(), 3U);
+  double widest = 0;
+  double deepest = 0;
+  for (const GroovePoint& p : strokes()[2].points) {
+    widest = std::max(widest, p.half_width);
+    deepest = std::max(deepest, p.depth);
+  }
+  EXPECT_NEAR(widest, 4.5, 1e-9);
+  EXPECT_NEAR(deepest, 0.6, 1e-9);
+  EXPECT_EQ(bench_.selection(), (Selection{2, std::nullopt}));
+  EXPECT_TRUE(bench_.placed().empty());
+  EXPECT_FALSE(bench_.finish_placing());
+}
+
+TEST_F(WorkbenchGrooveTest, APlacedPointTakesThePlaceOfANearPointOfAStroke) {
+  use(Tool::place);
+  click({52, 31});
+  click({50, 34.5});
+  ASSERT_EQ(bench_.placed().size(), 2U);
+  EXPECT_EQ(bench_.placed()[0], (geometry::GlyphPoint{50, 30}));
+  EXPECT_EQ(bench_.placed()[1], (geometry::GlyphPoint{50, 34.5}));
+  bench_.step_back();
+  EXPECT_EQ(bench_.placed().size(), 1U);
+  bench_.step_back();
+  EXPECT_TRUE(bench_.placed().empty());
+  EXPECT_TRUE(edits_.empty());
+  bench_.step_back();
+  ASSERT_EQ(edits_.size(), 1U);
+  EXPECT_EQ(edits_[0].second, EditWay::undone);
+}
+
+TEST_F(WorkbenchGrooveTest, AClickThatTremblesMovesNothingAndADragMovesByAsMuchAsThePen) {
+  use(Tool::edit);
+  bench_.move_pen({{20.5, 30}, 0.0}, true);
+  bench_.move_pen({{21, 30}, 0.1}, true);
+  bench_.move_pen({{20.5, 30.5}, 0.2}, false);
+  EXPECT_TRUE(edits_.empty());
+  EXPECT_EQ(strokes()[0].points[0].at, (geometry::GlyphPoint{20, 30}));
+  bench_.move_pen({{20.5, 30}, 1.0}, true);
+  bench_.move_pen({{21.2, 30}, 1.1}, true);
+  bench_.move_pen({{21.3, 30.1}, 1.2}, true);
+  bench_.move_pen({{24.5, 33}, 1.3}, false);
+  EXPECT_NEAR(strokes()[0].points[0].at.x, 24, 1e-9);
+  EXPECT_NEAR(strokes()[0].points[0].at.y, 33, 1e-9);
+  ASSERT_EQ(edits_.size(), 1U);
+  EXPECT_EQ(edits_[0], (std::pair(EditKind::move_point, EditWay::made)));
+  bench_.undo();
+  EXPECT_EQ(strokes()[0].points[0].at, (geometry::GlyphPoint{20, 30})) << "one drag is one change";
+}
+
+TEST_F(WorkbenchGrooveTest, AKeyAddsToTheMovementOnlyWhileThePenIsDown) {
+  int moves = 0;
+  bench_.pen_moved.connect([&moves] { ++moves; });
+  bench_.move_by_key({1, 0});
+  EXPECT_TRUE(bench_.movement().empty());
+  EXPECT_EQ(moves, 1);
+  bench_.press_at_cursor(0);
+  bench_.move_by_key({1, 0});
+  EXPECT_EQ(bench_.movement().size(), 2U);
+  EXPECT_EQ(moves, 3);
+}
+
+TEST_F(WorkbenchGrooveTest, JoiningAndReorderingNeedTheOtherStroke) {
+  bench_.select({0, std::nullopt});
+  EXPECT_FALSE(bench_.reorder(-1));
+  EXPECT_FALSE(bench_.reorder(2));
+  EXPECT_TRUE(edits_.empty());
+  EXPECT_TRUE(bench_.join());
+  EXPECT_EQ(strokes().size(), 1U);
+  EXPECT_FALSE(bench_.join());
+  EXPECT_EQ(edits_.size(), 1U);
+}
+
+TEST_F(WorkbenchGrooveTest, TheLastPointOfAStrokeGoesWithIt) {
+  bench_.take(editor_with({bar(30), OwnStroke{{{{50, 50}, 3, 1}}, kanji::StrokeEnding::stop, {}}}));
+  bench_.select({1, 0});
+  EXPECT_FALSE(bench_.insert_point()) << "a dot has no second point";
+  EXPECT_TRUE(bench_.remove());
+  EXPECT_EQ(strokes().size(), 1U);
+  ASSERT_EQ(edits_.size(), 1U);
+  EXPECT_EQ(edits_[0].first, EditKind::delete_stroke);
 }
 
 }  // namespace
