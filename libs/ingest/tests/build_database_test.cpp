@@ -341,6 +341,26 @@ TEST_F(Build, EachStepTakesItsShareOfTheProgress) {
   }
 }
 
+TEST_F(Build, ALongerSourceThanExpectedEndsItsStepWhereItShould) {
+  // More lines than EDICT has; all but one are empty.
+  write(sources_.edict, "\xB5\xD9 /rest/\n" + std::string(400'000, '\n'));
+  double most = 0;
+  double last = 0;
+  int reports = 0;
+  ASSERT_TRUE(build([&](double done, std::string_view name) {
+    EXPECT_GE(done, last) << name;
+    last = done;
+    if (name != "Reading EDICT") return true;
+    most = std::max(most, done);
+    ++reports;
+    // EDICT has 267,381 lines, and every 256th is reported.
+    EXPECT_NEAR(done, 0.45 + 0.1 * std::min(1.0, 256.0 * reports / 267'381), 1e-9);
+    return true;
+  }));
+  EXPECT_NEAR(most, 0.55, 1e-9);
+  EXPECT_GE(reports, 400'000 / 256);
+}
+
 TEST_F(Build, TwentyLinesOfEdictMayBeWrongAndAreNamed) {
   const auto with = [&](int wrong) {
     std::string text = "\xB5\xD9 /rest/\n\n";

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "alternative_orders.h"
@@ -127,6 +128,35 @@ TEST(Hooks, TurnByMoreThanSixtyDegreesInTheLastTwentyUnitsOrTheSecondHalf) {
   EXPECT_FALSE(ends_in_a_hook(turned(16, 90, 14)));
   EXPECT_TRUE(ends_in_a_hook(turned(2, 90)));
   EXPECT_FALSE(ends_in_a_hook({{50, 10}, {50, 90}}));
+}
+
+/// A line to the left that ends at the origin: parts by their lengths from the end on, each with its
+/// direction in degrees.
+geometry::Polyline<geometry::GlyphFrame> ending_with(const std::vector<std::pair<double, double>>& parts) {
+  geometry::Polyline<geometry::GlyphFrame> line{{0, 0}};
+  for (const auto& [length, degrees] : parts) {
+    const double angle = degrees * std::numbers::pi / 180;
+    line.push_back(line.back() + geometry::GlyphPoint{length * std::cos(angle), length * std::sin(angle)});
+  }
+  return {line.rbegin(), line.rend()};
+}
+
+TEST(Hooks, HaveATipOfOneAndAHalfUnits) {
+  // The direction of the tip is that over 1.5 units.
+  EXPECT_TRUE(ends_in_a_hook(ending_with({{1.6, 65}, {60, 0}})));
+  EXPECT_TRUE(ends_in_a_hook(ending_with({{1.5, 62}, {60, 0}})));
+  EXPECT_FALSE(ends_in_a_hook(ending_with({{1.2, 65}, {60, 0}})));
+  // In a short line over a quarter of it; one of three units or less has none.
+  EXPECT_TRUE(ends_in_a_hook(ending_with({{1, 65}, {3, 0}})));
+  EXPECT_FALSE(ends_in_a_hook(ending_with({{0.7, 90}, {2.2, 0}})));
+}
+
+TEST(Hooks, AreLookedForInEachHalfUnit) {
+  // A single unit of another direction counts where it begins on a half unit.
+  for (const double at : {2.0, 2.5, 3.0, 3.5, 4.0, 6.5, 11.0, 18.5})
+    EXPECT_TRUE(ends_in_a_hook(ending_with({{at, 0}, {1, 70}, {60, 0}}))) << at;
+  EXPECT_FALSE(ends_in_a_hook(ending_with({{19.5, 0}, {0.4, 70}, {60, 0}})));
+  EXPECT_FALSE(ends_in_a_hook(ending_with({{20.5, 0}, {1, 70}, {60, 0}})));
 }
 
 kanji::Stroke from_to(double x, double y, double to_x, double to_y) {

@@ -113,6 +113,18 @@ TEST_F(SourceFiles, EucJpOfAnyLengthBecomesUtf8) {
   EXPECT_EQ(read_euc_jp(file_, 10), "");
 }
 
+TEST_F(SourceFiles, ATextThatFillsEachPieceToItsLastByteIsRead) {
+  // Pieces are of 128 KiB; the sizes end at and beside their borders.
+  for (const std::size_t size : {131'071U, 131'072U, 131'073U, 262'143U, 262'144U, 262'145U}) {
+    const std::string text = long_text(size);
+    write_gz(text);
+    const auto read = read_gzip(file_, size);
+    ASSERT_TRUE(read) << size;
+    EXPECT_EQ(read->size(), size);
+    EXPECT_TRUE(*read == text) << size;
+  }
+}
+
 struct Member {
   std::string name, content;
   mode_t type = AE_IFREG;
