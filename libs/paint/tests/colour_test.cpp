@@ -140,5 +140,25 @@ TEST(Colour, VermilionCoversInkAndRoseDoesNot) {
   EXPECT_LT(over_ink("quinacridone-rose"), 0.1);
 }
 
+TEST(Colour, EachPigmentHasItsNumbersAndNoOther) {
+  // Those of the watercolour paper are compared above; what they lack there, and the inks, were chosen by
+  // eye.
+  const std::array<Pigment, 5> inks{Pigment{"sumi", {4.2, 4.2, 4.2}, {0.02, 0.02, 0.02}, 0.9, 0.3},
+                                    Pigment{"sumi-blue", {4.6, 4.2, 3.7}, {0.02, 0.022, 0.03}, 0.9, 0.4},
+                                    Pigment{"sumi-brown", {3.8, 4.2, 4.8}, {0.03, 0.024, 0.02}, 0.9, 0.2},
+                                    Pigment{"vermilion", {0.16, 2.2, 3.4}, {1.6, 0.12, 0.05}, 0.4, 0.5},
+                                    Pigment{"white", {0.01, 0.01, 0.02}, {3, 3, 3}, 0.3, 0.2}};
+  ASSERT_EQ(pigments().size(), inks.size() + 7);
+  for (std::size_t i = 0; i < inks.size(); ++i) EXPECT_EQ(pigments()[i], inks[i]) << inks[i].name;
+  const std::array<std::pair<const char*, double>, 7> mobilities{{{"quinacridone-rose", 0.9},
+                                                                  {"indian-red", 0.5},
+                                                                  {"cadmium-yellow", 0.5},
+                                                                  {"hookers-green", 0.8},
+                                                                  {"cerulean-blue", 0.6},
+                                                                  {"burnt-umber", 0.6},
+                                                                  {"french-ultramarine", 0.7}}};
+  for (const auto& [name, mobility] : mobilities) EXPECT_EQ(find_pigment(name)->mobility, mobility) << name;
+}
+
 }  // namespace
 }  // namespace nazori::paint

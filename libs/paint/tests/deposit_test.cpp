@@ -304,5 +304,57 @@ TEST(Deposit, TipAndRootStayEquallyFull) {
   EXPECT_EQ(InkLoad{}.fullness(), 0);
 }
 
+TEST(Deposit, ABristleThatFliesWetsNoCell) {
+  Paper paper;
+  paper.kasure_s = 0.1;
+  Sheet sheet = sheet_of(128, paper);
+  InkLoad load = endless(1);
+  // A share of 8e-8 of the cells, less than one of all.
+  write(sheet, load, {.speed_m_s = 1e6});
+  EXPECT_FALSE(sheet.is_wet());
+  // Without resistance the speed does not count.
+  paper.kasure_s = 0;
+  Sheet smooth = sheet_of(128, paper);
+  write(smooth, load, {.speed_m_s = 1e6});
+  EXPECT_TRUE(smooth.is_wet());
+}
+
+TEST(Deposit, ADippedBrushHoldsAQuarterInItsTip) {
+  // 1e-6 m^3 are 5e6 cells of 0.1 mm and a depth of 2e-5 m.
+  const InkLoad load = dipped(1e-6, 0.5, {1, 0.5, 9}, {0, 2, -1});
+  EXPECT_NEAR(to_fraction(load.capacity), 5e6, 1e-3);
+  EXPECT_NEAR(to_fraction(load.tip.water), 625'000, 1e-3);
+  EXPECT_NEAR(to_fraction(load.root.water), 1'875'000, 1e-3);
+  EXPECT_EQ(load.tip.water, (load.tip.water + load.root.water) / 4);
+  EXPECT_EQ(load.tip.pigment, (std::array{load.tip.water, load.tip.water / 2, 4 * load.tip.water}));
+  EXPECT_EQ(load.root.pigment, (std::array{TotalAmount{0}, 2 * load.root.water, TotalAmount{0}}));
+  EXPECT_NEAR(load.fullness(), 0.5, 1e-9);
+  EXPECT_EQ(load.concentration(), (Concentrations{1, 0.5, 4}));
+  EXPECT_EQ(dipped(1e-6, 2, {}, {}), dipped(1e-6, 1, {}, {}));
+  EXPECT_EQ(dipped(1e-6, -1, {}, {}).tip.water, 0);
+  EXPECT_EQ(dipped(1, 1, {}, {}), dipped(1e-5, 1, {}, {}));
+  EXPECT_EQ(dipped(1e-5, 1, {}, {}, 1e-9).capacity, TotalAmount{4'000'000'000} * kOne);
+  EXPECT_EQ(dipped(-1, 1, {}, {}), InkLoad{});
+  EXPECT_EQ(InkLoad{}.concentration(), Concentrations{});
+}
+
+TEST(Deposit, TheRootGivesTheTipInkOfItsOwnStrength) {
+  InkLoad load;
+  load.capacity = 4000;
+  load.tip = {1000, {1000, 0, 0}};
+  load.root = {3000, {0, 1500, 300}};
+  load.give(400, {400, 0, 0});
+  // Of 3,600 the tip has a quarter again: 300 come down.
+  EXPECT_EQ(load.tip.water, 900);
+  EXPECT_EQ(load.root.water, 2700);
+  EXPECT_EQ(load.tip.pigment, (std::array<TotalAmount, kSlots>{600, 150, 30}));
+  EXPECT_EQ(load.root.pigment, (std::array<TotalAmount, kSlots>{0, 1350, 270}));
+  // From a root that has less than its part nothing comes.
+  load.root = {2, {0, 2, 0}};
+  load.give(1, {0, 0, 0});
+  EXPECT_EQ(load.tip.water, 899);
+  EXPECT_EQ(load.root.water, 2);
+}
+
 }  // namespace
 }  // namespace nazori::paint

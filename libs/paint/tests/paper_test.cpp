@@ -188,5 +188,24 @@ TEST(Paper, AnotherSeedIsAnotherSheetAndTheSameSeedTheSame) {
   EXPECT_LT(equal, 10);
 }
 
+TEST(Paper, EachKindHasItsValues) {
+  const auto paper = [](const char* text) { return parse_paper(text).value(); };
+  EXPECT_EQ(
+      find_paper("gasenshi").value(),
+      paper("name = gasenshi\nspread_m2_s = 5e-8\nspread_variation = 0.8\npinning = 0.01\n"
+            "pinning_height = 0.08\npinning_fibre = 0.16\nabsorption_s = 0.02\ndrying_s = 60\n"
+            "fixing_s = 12\ngranulation = 0.3\nfilm = 1.6\ngrain_m = 0.0002\ncolour = 0.94 0.93 0.9\n"));
+  EXPECT_EQ(find_paper("gasenshi-slow").value(),
+            paper("paper = gasenshi\nname = gasenshi-slow\nspread_m2_s = 1.5e-8\nabsorption_s = 0.3\n"
+                  "drying_s = 150\nfixing_s = 60\n"));
+  EXPECT_EQ(find_paper("board").value(),
+            paper("name = board\nspread_m2_s = 1e-9\npinning = 0.5\nabsorption_s = 2\ndrying_s = 30\n"
+                  "rim_drying = 3\nfixing_s = 0\ngranulation = 0.2\nfilm = 3\ngrain_m = 0.0004\n"
+                  "wet_darkening = 0.02\ncolour = 0.95 0.95 0.93\n"));
+  EXPECT_EQ(find_paper("water").value(),
+            paper("name = water\nspread_m2_s = 4e-9\ndrying_s = 90\nrim_drying = 1\nwet_darkening = 0.85\n"
+                  "colour = 0.72 0.7 0.66\n"));
+}
+
 }  // namespace
 }  // namespace nazori::paint

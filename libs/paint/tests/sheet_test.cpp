@@ -394,5 +394,33 @@ TEST(Sheet, ASlotGetsAnotherPigmentOnlyWhenItsPaintIsDry) {
   EXPECT_EQ(sheet.holding().pigment[0], 0);
 }
 
+TEST(Sheet, ACellTakesWhatItHasRoomFor) {
+  Sheet sheet = sheet_of(128);
+  const auto pair = [](Amount water, const PigmentAmounts& pigment) { return std::pair(water, pigment); };
+  EXPECT_EQ(sheet.drop(3, 4, 15 * kOne, {7 * kOne, -kOne, 0}), pair(15 * kOne, {7 * kOne, 0, 0}));
+  EXPECT_EQ(sheet.drop(3, 4, 2 * kOne, {2 * kOne, 0, 9 * kOne}), pair(kOne, {kOne, 0, 8 * kOne}));
+  EXPECT_EQ(sheet.drop(3, 4, kOne, {1, 1, 1}), pair(0, {0, 1, 0}));
+  EXPECT_EQ(sheet.drop(3, 4, -kOne, {}), pair(0, {}));
+  const Cell cell = sheet.at(3, 4);
+  EXPECT_EQ(cell.surface, 16 * kOne);
+  EXPECT_EQ(cell.moving, (PigmentAmounts{8 * kOne, 1, 8 * kOne}));
+  EXPECT_EQ(sheet.holding().water, 16 * kOne);
+  EXPECT_EQ(sheet.holding().pigment, (std::array<TotalAmount, kSlots>{8 * kOne, 1, 8 * kOne}));
+}
+
+TEST(Sheet, WhatDriesAtOnceIsCountedInTheAir) {
+  Paper paper = even_paper();
+  paper.absorption_s = 0.1;
+  Sheet sheet = sheet_of(128, paper);
+  sheet.drop(3, 4, 2 * kOne, {});
+  for (int i = 0; i < 3; ++i) sheet.step();
+  ASSERT_GT(sheet.at(3, 4).fibre, 0);
+  ASSERT_GT(sheet.at(3, 4).surface, 0);
+  EXPECT_EQ(sheet.evaporated(), 0);
+  sheet.dry_now();
+  EXPECT_EQ(sheet.evaporated(), 2 * kOne);
+  EXPECT_EQ(sheet.holding().water, 0);
+}
+
 }  // namespace
 }  // namespace nazori::paint
