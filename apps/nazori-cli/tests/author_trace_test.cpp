@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "program.h"
 
@@ -46,6 +47,51 @@ TEST(AuthorTrace, WithoutACharacterPrintsALineForEachStroke) {
   EXPECT_THAT(run.out, HasSubstr("taper"));
   // The same picture in grey is also ink on paper.
   EXPECT_EQ(nazori_cli({"author", "trace", folder / "a.png"}).code, 0);
+}
+
+TEST(AuthorTrace, ThePointsAreWhereTheStrokeIsInHundredthsOfAUnit) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(nazori_cli({"carve", "一", "--size", "512", "--width", "7", "-o", folder / "a.png"}).code, 0);
+  const Outcome run =
+      nazori_cli({"author", "trace", folder / "a.png", "--relief", "--character", "一", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto stroke = nlohmann::json::parse(run.out).at("strokes").at(0);
+  const auto& points = stroke.at("points");
+  // KanjiVG 4e00: from (11, 54.25) to (96.88, 50).
+  EXPECT_NEAR(points.front()[0].get<double>(), 11, 0.5);
+  EXPECT_NEAR(points.front()[1].get<double>(), 54.25, 0.5);
+  EXPECT_NEAR(points.back()[0].get<double>(), 96.88, 0.5);
+  EXPECT_NEAR(points.back()[1].get<double>(), 50, 0.5);
+  const auto& middle = points[points.size() / 2];
+  EXPECT_NEAR(middle[2].get<double>(), 3.5, 0.5) << "half of 7 units wide";
+  EXPECT_NEAR(middle[3].get<double>(), 1, 0.1);
+  EXPECT_GT(stroke.at("covered").get<double>(), 0.95);
+  EXPECT_LT(stroke.at("moved").get<double>(), 0.5);
+  for (const auto& point : points)
+    for (const auto& value : point) {
+      const double hundredths = value.get<double>() * 100;
+      EXPECT_NEAR(hundredths, std::round(hundredths), 1e-6);
+    }
+}
+
+TEST(AuthorTrace, ForPeopleNamesBothEndsAndDoubtsAStrokeThatIsNotThere) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(nazori_cli({"carve", "一", "--size", "512", "-o", folder / "a.png"}).code, 0);
+  const auto trace = [&](const std::string& character) {
+    const Outcome run =
+        nazori_cli({"author", "trace", folder / "a.png", "--relief", "--character", character});
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.out;
+  };
+  EXPECT_THAT(trace("一"), testing::MatchesRegex(
+                               "  1   1[01]\\.[0-9], 54\\.[0-9] to  9[67]\\.[0-9], (49|50)\\.[0-9]  stop  "
+                               "(100| 9[5-9]) % on ink, moved by 0\\.[0-9]\n"));
+  // The first stroke of 永 is far away, and the second has no ink for much of its length.
+  const std::string other = trace("永");
+  std::vector<bool> doubted;
+  std::istringstream lines(other);
+  for (std::string line; std::getline(lines, line);) doubted.push_back(line.ends_with("  check this stroke"));
+  EXPECT_EQ(doubted, (std::vector<bool>{true, true, false, false, false})) << other;
 }
 
 TEST(AuthorTrace, WritesEachKindOfFile) {

@@ -75,6 +75,38 @@ TEST_F(CommandTable, CountsTheWordsOfAValue) {
   EXPECT_TRUE(option("--fault").several);
 }
 
+TEST_F(CommandTable, KeepsDescriptionsFootersGroupsAndWhatIsRequired) {
+  CLI::App app("Does it", "tool");
+  app.footer("See there");
+  std::string text;
+  CLI::App* make = app.add_subcommand("make", "Makes it");
+  make->footer("Example:\n  tool make");
+  make->add_option("-f,--form", text, "The form")->group("Looks");
+  make->add_option("name", text, "The name")->required();
+  make->add_option("other", text, "The other name");
+  const Command table = command_table(app);
+  EXPECT_EQ(table.name, "tool");
+  EXPECT_EQ(table.path, "");
+  EXPECT_EQ(table.description, "Does it");
+  EXPECT_EQ(table.footer, "See there");
+  ASSERT_EQ(table.verbs.size(), 1U);
+  const Command& verb = table.verbs.front();
+  EXPECT_EQ(verb.name, "make");
+  EXPECT_EQ(verb.description, "Makes it");
+  EXPECT_EQ(verb.footer, "Example:\n  tool make");
+  ASSERT_EQ(verb.options.size(), 2U);
+  EXPECT_EQ(verb.options[1].group, "Looks");
+  EXPECT_EQ(verb.options[1].description, "The form");
+  EXPECT_THAT(verb.options[1].names, ElementsAre("-f", "--form"));
+  EXPECT_FALSE(verb.options[1].required);
+  ASSERT_EQ(verb.arguments.size(), 2U);
+  EXPECT_EQ(verb.arguments[0].argument, "name");
+  EXPECT_TRUE(verb.arguments[0].required);
+  EXPECT_EQ(verb.arguments[0].notes, "") << "an argument that may be left out is in brackets instead";
+  EXPECT_FALSE(verb.arguments[1].required);
+  EXPECT_FALSE(verb.arguments[1].several);
+}
+
 TEST_F(CommandTable, NotesRangeDefaultAndDuty) {
   EXPECT_EQ(description_with_notes(option("--size")), "A size (2..8; default: 4)");
   EXPECT_EQ(option("--output").notes, "required");

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -41,6 +44,24 @@ TEST(DatabaseCheck, TheTestsDatabaseIsSoundAndNamesItsSources) {
   }
 }
 
+TEST(DatabaseCheck, ForPeopleHasTheCountsOfTheJsonAndALineForEachSource) {
+  const Json report = Json::parse(nazori_cli({"database", "check", "--json"}).out);
+  const std::string text = nazori_cli({"database", "check"}).out;
+  const auto number = [&report](const char* name) { return std::to_string(report[name].get<long>()); };
+  std::array<char, 32> mebibytes{};
+  (void)std::snprintf(mebibytes.data(), mebibytes.size(), "%.1f", report["bytes"].get<double>() / 1048576);
+  EXPECT_TRUE(text.starts_with((data_folder() / "kanji.db").string() + "  is valid: " + number("characters") +
+                               " characters (" + number("drawn_characters") + " with strokes), " +
+                               number("variant_forms") + " variant forms, " + number("strokes") +
+                               " strokes, " + number("words") + " words; " + mebibytes.data() +
+                               " MiB\nfrom KanjiVG "))
+      << text;
+  EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')),
+            1 + report["sources"].size());
+  const Outcome named = nazori_cli({"database", "check", (data_folder() / "kanji.db").string()});
+  EXPECT_EQ(named.out, text);
+}
+
 TEST(DatabaseCheck, DamageIsANo) {
   const TemporaryFolder folder;
   const auto whole = bytes_of(data_folder() / "kanji.db");
@@ -59,6 +80,20 @@ TEST(DatabaseBuild, DoesNothingWhereTheDatabaseIsUpToDate) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("up to date"));
   EXPECT_EQ(std::filesystem::last_write_time(path), before);
+}
+
+TEST(DatabaseBuild, AFolderMeansTheDatabaseInIt) {
+  const Outcome run = nazori_cli({"database", "build", "--output", data_folder().string()});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, (data_folder() / "kanji.db").string() + "  is up to date\n");
+}
+
+TEST(DatabaseBuild, ASourceIsNeverOverwritten) {
+  const TemporaryFolder folder;
+  write(folder / "edict", "words");
+  expect_one_line(nazori_cli({"database", "build", "--edict", folder / "edict", "-o", folder / "edict"}), 2,
+                  {"--output", "is the same file as --edict", "write to another file"});
+  EXPECT_EQ(bytes_of(folder / "edict").size(), 5U);
 }
 
 TEST(DatabaseBuild, AMissingSourceIsOneLineAndLeavesTheOldDatabase) {

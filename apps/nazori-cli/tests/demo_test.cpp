@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -98,12 +99,61 @@ TEST(Demo, ForPeopleHasALineForEachStrokeAndNamesThePicture) {
   EXPECT_THAT(folder.names(), testing::UnorderedElementsAre("休.png", "木.png"));
 }
 
+TEST(Demo, ForPeopleHasTheNumbersOfTheJson) {
+  const TemporaryFolder folder;
+  const Json json = Json::parse(demo({"一", "--json"}, folder / "a.png").out).at(0);
+  const Json& stroke = json["strokes"][0];
+  const auto number = [](const Json& value, double factor, int digits) {
+    char text[32] = {};
+    (void)std::snprintf(text, sizeof text, "%.*f", digits, value.get<double>() * factor);
+    return std::string(text);
+  };
+  const Outcome run = demo({"一", "--record", folder / "a.nzr"}, folder / "a.png");
+  EXPECT_TRUE(run.out.starts_with(
+      "一  1 stroke, traced by a simulated hand through the servo at 1 kHz, snapping off\n"
+      "device: Touch / PHANTOM Omni (simulated)\n"))
+      << run.out;
+  for (const std::string& part :
+       {"     1   " + number(stroke["length_m"], 1e3, 1) + " mm   " + number(stroke["aim_rms_m"], 1e3, 2) +
+            "  " + number(stroke["aim_max_m"], 1e3, 2) + " mm     " + number(stroke["tip_rms_m"], 1e3, 2) +
+            "  " + number(stroke["tip_max_m"], 1e3, 2) + " mm     " + number(stroke["mean_force_n"], 1, 2) +
+            "  " + number(stroke["peak_force_n"], 1, 2) + " N ",
+        "\nall strokes: tip error " + number(json["tracking_rms_m"], 1e3, 2) + " mm rms, " +
+            number(json["tracking_max_m"], 1e3, 2) + " mm at most; force " +
+            number(json["samples"]["mean_force_n"], 1, 2) + " N mean, " +
+            number(json["samples"]["peak_force_n"], 1, 2) + " N peak\n",
+        " " + number(stroke["contact_share"], 100, 0) + " %   " + number(stroke["mean_depth_m"], 1e3, 1) +
+            " mm ",
+        "\npicture " + (folder / "a.png") + "\nrecording " + (folder / "a.nzr") + "\n"})
+    EXPECT_THAT(run.out, HasSubstr(part));
+  const double work_mj = json["work_on_hand_j"].get<double>() * 1e3;
+  EXPECT_THAT(run.out,
+              HasSubstr(work_mj > 0 ? "energy: the motors did " + number(json["work_on_hand_j"], 1e3, 3) +
+                                          " mJ of work on the hand\n"
+                                    : "energy: the tablet dissipated " +
+                                          number(json["work_on_hand_j"], -1e3, 3) + " mJ from the hand\n"));
+  const Outcome snapped = demo({"一", "--snap"}, folder / "a.png");
+  EXPECT_THAT(snapped.out, HasSubstr("snapping on\n"));
+  EXPECT_THAT(snapped.out, HasSubstr("energy: the tablet dissipated "));
+}
+
 TEST(Demo, WithoutAnOutputThePictureLiesInTheCurrentFolder) {
   const TemporaryFolder folder;
   const Outcome run = nazori_cli({"demo", "一", "--size", "100"}, {}, folder.path());
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(folder.names(), ElementsAre("一-demo.png"));
   EXPECT_THAT(run.out, HasSubstr("一-demo.png"));
+}
+
+TEST(Demo, OnTheClockThreadPeopleReadTheTimingToo) {
+  const TemporaryFolder folder;
+  const Outcome run = demo({"一", "--real-time"}, folder / "a.png");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::ContainsRegex(
+                           "\nclock thread, [^:]+: [0-9]+ ticks, [0-9]+ late, [0-9]+ missed; a tick "
+                           "took [0-9.]+ us, 99.9 % at most [0-9.]+ us, all at most [0-9.]+ us; "
+                           "99.9 % at most [0-9]+\\.[0-9][0-9][0-9] ms late, all at most "
+                           "[0-9]+\\.[0-9][0-9][0-9] ms\n"));
 }
 
 TEST(Demo, OnTheClockThreadItHoldsAsWellAndTellsTheTime) {

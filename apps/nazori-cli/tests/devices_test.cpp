@@ -108,6 +108,32 @@ TEST(Devices, ASimulationCanBeTestedByName) {
   EXPECT_THAT(run.out, HasSubstr("machine"));
 }
 
+TEST(Devices, TheListOfThePointerAndTheSimulationsIsAsTheManualShowsIt) {
+  const auto bytes = bytes_of(std::string(test_paths::kDocs) + "/command-line.md");
+  const std::string manual(bytes.begin(), bytes.end());
+  const std::size_t begin = manual.find("\nMouse, pen or finger\n") + 1;
+  const std::string shown = manual.substr(begin, manual.find("```", begin) - begin);
+  EXPECT_THAT(shown, testing::EndsWith("  simulated:inverse3      Inverse3 (simulated)\n"));
+  const std::string list = nazori_cli({"devices"}, kBare).out;
+  EXPECT_TRUE(list.ends_with(shown)) << list;
+  EXPECT_THAT(list, HasSubstr("OpenHaptics (PHANTOM, Touch)\n  nothing found: OpenHaptics: "));
+}
+
+TEST(Devices, ATrialForPeopleHasItsLimitsRatesAndLatenessesInOrder) {
+  const Outcome run = nazori_cli({"devices", "--test", "0.3", "--device", "simulated:touch"}, kBare);
+  ASSERT_EQ(run.code, 0) << run.err;
+  // The Touch: 3.3 N at the peak, 0.88 N all the time, 1 kHz.
+  EXPECT_THAT(run.out, testing::StartsWith("simulated:touch  Touch / PHANTOM Omni (simulated)\n"
+                                           "limits      3.30 N peak, 0.88 N continuous, "));
+  EXPECT_THAT(run.out,
+              testing::ContainsRegex("\nrate        [0-9]+ Hz of 1000 Hz, [0-9]+ ticks in 0\\.[0-9] s\n"
+                                     "lateness     +[0-9]+  up to 0\\.[0-9][0-9] ms\n"
+                                     "             +[0-9]+  up to 0\\.[0-9][0-9] ms\n"));
+  EXPECT_THAT(run.out, testing::ContainsRegex("\n             +[0-9]+  more, up to [0-9.]+ ms\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nmachine     "));
+  EXPECT_THAT(run.out, testing::Not(HasSubstr("problem")));
+}
+
 TEST(Devices, ADeviceThatIsNotThereIsOneLineAndTheAnswerNo) {
   expect_one_line(nazori_cli({"devices", "--test", "1", "--device", "gramophone"}, kBare), 1,
                   {"gramophone", "simulated:touch"});

@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -127,6 +129,43 @@ TEST_F(Feel, TheSummaryIsThatOfTheRows) {
   EXPECT_GT(got["real_time_factor"], 0);
   // A spring keeps no energy, except that of one tick of delay at most: k d times the way of a tick (12 um).
   EXPECT_LT(std::abs(got["dissipated_j"].get<double>()), 0.2 * 1.2e-5 * 2);
+}
+
+TEST_F(Feel, ForPeopleHasTheNumbersOfTheJson) {
+  const Outcome run = feel_plate({});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json got = Json::parse(feel_plate({"--json"}).out);
+  const auto number = [](const Json& value, double factor, int digits) {
+    std::array<char, 32> text{};
+    (void)std::snprintf(text.data(), text.size(), "%.*f", digits, value.get<double>() * factor);
+    return std::string(text.data());
+  };
+  EXPECT_TRUE(run.out.starts_with(
+      folder_ / "plate.raw" +
+      "  mode contact, device Touch / PHANTOM Omni (simulated)\nticks    2001 in 2.000 s at 1000 Hz, "))
+      << run.out;
+  EXPECT_THAT(run.out, HasSubstr("\nforce    mean " + number(got["mean_force_n"], 1, 3) + " N, in contact "));
+  EXPECT_THAT(run.out,
+              HasSubstr(" N, peak 0.400 N\ndepth    at most 1.000 mm behind the surface\nenergy   put in "));
+  EXPECT_THAT(run.out,
+              HasSubstr(" mJ, dissipated " + number(got["dissipated_j"], 1e3, 3) + " mJ\nevents   "));
+  EXPECT_THAT(run.out,
+              testing::ContainsRegex("\nreplayed in [0-9.]+ s, [0-9]+ times as fast as real time\n"));
+  EXPECT_TRUE(run.out.ends_with("\n" + (folder_ / "out.csv") + "\n"));
+  const Outcome ball = feel_plate({"--tip-radius-mm", "2"});
+  EXPECT_THAT(ball.out, HasSubstr("(simulated), ball of 2 mm\n"));
+}
+
+TEST_F(Feel, AStrokeThatIsNotThereIsNamedWithTheirNumber) {
+  const auto feel = [this](const std::string& character, const std::string& stroke) {
+    return nazori_cli({"feel", character, "--map-size", "32", "--mode", "snap", "--stroke", stroke, "--input",
+                       folder_ / "hand.csv", "--output", folder_ / "out.csv"});
+  };
+  EXPECT_EQ(feel("二", "2").code, 0);
+  expect_one_line(feel("二", "3"), 2, {"--stroke 3: 二 has 2 strokes", "give a smaller number"});
+  expect_one_line(feel("一", "2"), 2, {"--stroke 2: 一 has 1 stroke ("});
+  EXPECT_EQ(feel_plate({"--friction", "0.2,0.2"}).code, 0) << "as much is not above";
+  expect_one_line(feel_plate({"--friction", "0.2,0.21"}), 2, {"dynamic friction is above static friction"});
 }
 
 TEST_F(Feel, GivesTheSameBytesForTheSameInput) {

@@ -61,6 +61,40 @@ TEST(Files, ABackupIsNotWrittenOverTheLearner) {
                   {"--output", "which is read"});
 }
 
+TEST(Files, EachPairOfBracesInANameBecomesTheCharacter) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(nazori_cli({"carve", "休木", "--size", "16", "-o", folder / "{}-{}.png"}).code, 0);
+  EXPECT_THAT(folder.names(), testing::UnorderedElementsAre("休-休.png", "木-木.png"));
+}
+
+TEST(Files, AFolderIsNoFile) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "d.png");
+  expect_one_line(nazori_cli({"plot", "y=x", "--output", folder / "d.png"}), 2,
+                  {"d.png: is a folder, not a file", "give a file name"});
+  expect_one_line(nazori_cli({"plot", "y=x", "--output", folder / "none/d.png"}), 2,
+                  {"the folder " + (folder / "none") + " does not exist"});
+  expect_one_line(nazori_cli({"plot", "y=x", "--output", folder / "d.txt"}), 2,
+                  {"has an unsupported file type", "use a name that ends in .png or .raw"});
+}
+
+TEST(Files, ALongAnswerIsTheSameInAFileAndOnStandardOutput) {
+  const TemporaryFolder folder;
+  // 20,001 rows are more than two megabytes, so they are sent in several pieces.
+  write(folder / "h.csv", "t,x,y,z\n0,0,0,0.01\n1,0.02,0,0.005\n");
+  std::vector<std::string> feel{"feel",           "一",     "--map-size", "64", "--input",
+                                folder / "h.csv", "--rate", "20000"};
+  feel.insert(feel.end(), {"--output", folder / "f.csv"});
+  ASSERT_EQ(nazori_cli(feel).code, 0);
+  feel.back() = "-";
+  const Outcome run = nazori_cli(feel);
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto bytes = bytes_of(folder / "f.csv");
+  EXPECT_GT(bytes.size(), std::size_t{1} << 20);
+  EXPECT_EQ(std::count(bytes.begin(), bytes.end(), '\n'), 20'002);
+  EXPECT_TRUE(run.out == std::string(bytes.begin(), bytes.end()));
+}
+
 TEST(Files, ADashIsStandardOutput) {
   const TemporaryFolder folder;
   const Outcome carved = nazori_cli({"carve", "休", "--output", "-"}, {}, folder.path());

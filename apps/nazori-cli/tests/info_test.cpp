@@ -113,6 +113,48 @@ TEST(Info, ForPeopleFitsEightyColumnsAndSetsOkuriganaApart) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 80) << line;
 }
 
+TEST(Info, ForPeopleNamesGradesCountsAndPlacesOfParts) {
+  const auto told = [](const std::string& character) {
+    const Outcome run = nazori_cli({"info", character});
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.out;
+  };
+  const auto headline = [&](const std::string& character) {
+    const std::string text = told(character);
+    return text.substr(0, text.find('\n'));
+  };
+  // KANJIDIC2: 一 is taught in the first year, 鬱 in secondary school, 佑 is for names.
+  EXPECT_EQ(headline("一"), "一  U+4E00 · 1 stroke · grade 1");
+  EXPECT_EQ(headline("議"), "議  U+8B70 · 20 strokes · grade 4");
+  EXPECT_EQ(headline("胃"), "胃  U+80C3 · 9 strokes · grade 6");
+  EXPECT_EQ(headline("鬱"), "鬱  U+9B31 · 29 strokes · secondary school (jōyō)");
+  EXPECT_EQ(headline("佑"), "佑  U+4F51 · 7 strokes · for names (jinmeiyō)");
+  EXPECT_THAT(headline("丂"), HasSubstr("U+4E02 · 2 strokes · no strokes"));
+  EXPECT_EQ(headline("あ"), "あ  U+3042 · 3 strokes");
+  // 明 in names is read あけ among others; 国's frame lies around 玉.
+  EXPECT_THAT(told("明"), HasSubstr("\nin names    "));
+  EXPECT_THAT(told("国"), HasSubstr("\nparts       囗 kamae (piece 1)   玉   囗 kamae (piece 2)\n"));
+  EXPECT_THAT(told("正"), HasSubstr("\nother order 1 3 2 4 5  (KanjiVG variant HzFst)\n"));
+  EXPECT_THAT(told("正"), HasSubstr("HzFst"));
+}
+
+TEST(Info, WordsStandInColumnsAndTheirMeaningsAreSetApart) {
+  const std::string text = nazori_cli({"info", "休", "--words", "2"}).out;
+  const std::size_t at = text.find("\nwords       ");
+  ASSERT_NE(at, std::string::npos) << text;
+  EXPECT_EQ(text.find("in words"), std::string::npos);
+  std::istringstream lines(text.substr(at + 1));
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(line);
+  ASSERT_GE(rows.size(), 2U);
+  int words = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    words += i == 0 || (rows[i].starts_with(std::string(12, ' ')) && rows[i][12] != ' ') ? 1 : 0;
+  EXPECT_EQ(words, 2) << text;
+  const std::string two = nazori_cli({"info", "休", "一"}).out;
+  EXPECT_THAT(two, HasSubstr("\n\n一  U+4E00")) << "an empty line stands between two characters";
+}
+
 TEST(Info, SeveralCharactersAnswerInTheOrderAsked) {
   const Json answer = answer_of(nazori_cli({"info", "木休", "人", "U+4E00", "休", "--json", "--words", "0"}));
   Texts names;

@@ -149,9 +149,61 @@ TEST(Manual, NothingOfADescriptionIsARequest) {
   EXPECT_THAT(in_one_line(run.out), HasSubstr(kOddDescription + " (required)"));
 }
 
+TEST(Manual, HasOfEachCommandItsUseItsEntriesAndItsProse) {
+  CLI::App app("Does it", "nazori-cli");
+  std::string text;
+  CLI::App* make = app.add_subcommand("make", "Make it");
+  make->add_option("name", text, "The name")->required();
+  make->add_option("other", text, "The other name");
+  make->add_option("-s,--size", text, "The size")->type_name("N")->default_str("4");
+  make->add_option("--form", text, "The form")->group("Looks")->type_name("F");
+  make->footer(
+      "First line\nof a paragraph.\n\nAnother one.\n\nExamples:\n  nazori-cli make a\n\n  nazori-cli make b");
+  CLI::App* group = app.add_subcommand("group", "Of two");
+  group->add_subcommand("inner", "Inside");
+  group->footer("Example:\n  nazori-cli group inner");  // one that is added later would inherit it
+  const std::string page = manual_page(command_table(app), "1.2", "2026-01-01");
+  EXPECT_TRUE(
+      page.starts_with(".\\\" Written by: nazori\\-cli manual\n"
+                       ".TH NAZORI\\-CLI 1 \"2026\\-01\\-01\" \"Nazori 1.2\" \"User Commands\"\n"))
+      << page.substr(0, 200);
+  EXPECT_EQ(section(page, ".SS nazori\\-cli make"),
+            ".SS nazori\\-cli make\nMake it.\n.PP\n.EX\nnazori\\-cli make [options] name [other]\n.EE\n"
+            ".TP\n\\fIname\\fR\nThe name\n.TP\n\\fIother\\fR\nThe other name\n"
+            ".TP\n\\fB\\-s\\fR, \\fB\\-\\-size\\fR \\fIN\\fR\nThe size (default: 4)\n"
+            ".PP\nLooks:\n.TP\n\\fB\\-\\-form\\fR \\fIF\\fR\nThe form\n"
+            ".PP\nFirst line of a paragraph.\n.PP\nAnother one.\n");
+  EXPECT_EQ(section(page, ".SS nazori\\-cli group"),
+            ".SS nazori\\-cli group\nOf two.\n.PP\n.EX\nnazori\\-cli group [options] VERB\n.EE\n");
+  EXPECT_EQ(section(page, ".SH EXAMPLES"),
+            ".SH EXAMPLES\n.PP\nMake it:\n.PP\n.EX\nnazori\\-cli make a\nnazori\\-cli make b\n.EE\n")
+      << "those of a group are its commands' own";
+  EXPECT_TRUE(page.ends_with("\n.SH SEE ALSO\n.BR nazori (1)\n"));
+}
+
+TEST(Manual, LinesAreFilledToSeventyEightBytes) {
+  const auto lines_of = [](const std::string& description) {
+    CLI::App app("Does it", "nazori-cli");
+    app.add_subcommand("make", description);
+    std::istringstream lines(section(manual_page(command_table(app), "1", ""), ".SS nazori\\-cli make"));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(lines, line);) all.push_back(line);
+    return std::vector<std::string>(all.begin() + 1, std::find(all.begin(), all.end(), ".PP"));
+  };
+  const std::string forty(40, 'a');
+  // With the full stop and the space 78 and 79 bytes.
+  EXPECT_THAT(lines_of(forty + " " + std::string(36, 'b')),
+              testing::ElementsAre(forty + " " + std::string(36, 'b') + "."));
+  EXPECT_THAT(lines_of(forty + " " + std::string(37, 'b')),
+              testing::ElementsAre(forty, std::string(37, 'b') + "."));
+  EXPECT_THAT(lines_of(forty + " b c " + forty + " d"), testing::ElementsAre(forty + " b c", forty + " d."));
+  EXPECT_THAT(lines_of(std::string(100, 'w') + " x"), testing::ElementsAre(std::string(100, 'w'), "x."));
+}
+
 TEST(Manual, EscapesWhatRoffReads) {
   EXPECT_EQ(roff_escaped(".a"), "\\&.a");
   EXPECT_EQ(roff_escaped("a.b\\c-d'e\"f\ng"), "a.b\\(rsc\\-d\\(aqe\\(dqf g");
+  EXPECT_EQ(roff_escaped("`a^b~c"), "\\(gaa\\(hab\\(tic");
 }
 
 }  // namespace
