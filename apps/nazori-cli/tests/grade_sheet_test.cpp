@@ -2,8 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/view/offscreen.h"
 #include "program.h"
 
 namespace nazori::cli::test {
@@ -45,6 +49,70 @@ TEST(GradeSheet, JsonHasEveryCellAndThePictureShowsThem) {
   EXPECT_EQ(cells[23].at("character"), "永");
   EXPECT_EQ(cells[23].at("state"), "empty");
   EXPECT_GT(std::filesystem::file_size(folder / "m.png"), 10'000U);
+}
+
+/// Draws strokes of a character as a pen of 1 mm does, into the middle of a cell of a page at 120 dpi.
+void draw(view::Picture& page, const nlohmann::json& cell, char32_t character, std::size_t strokes) {
+  const auto database = kanji::KanjiDatabase::open(data_folder() / "kanji.db");
+  ASSERT_TRUE(database);
+  const auto found = database->find(character);
+  ASSERT_TRUE(found);
+  double left = 1e9, top = 1e9, right = 0;
+  for (const auto& corner : cell.at("corners")) {
+    left = std::min(left, corner[0].get<double>());
+    right = std::max(right, corner[0].get<double>());
+    top = std::min(top, corner[1].get<double>());
+  }
+  const double unit = (right - left) / 109;
+  const auto dot = [&](double x, double y) {
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx) {
+        if (dx * dx + dy * dy > 5) continue;
+        const auto column = static_cast<std::size_t>(std::lround(x) + dx);
+        const auto row = static_cast<std::size_t>(std::lround(y) + dy);
+        const std::size_t at = (row * static_cast<std::size_t>(page.width) + column) * 4;
+        for (std::size_t k = 0; k < 3; ++k) page.rgba[at + k] = 20;
+      }
+  };
+  for (std::size_t s = 0; s < std::min(strokes, found->strokes.size()); ++s) {
+    const auto& points = found->strokes[s].line.points;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      for (int k = 0; k <= 40; ++k) {
+        const auto at = points[i - 1] + (points[i] - points[i - 1]) * (k / 40.0);
+        dot(left + at.x * unit, top + at.y * unit);
+      }
+  }
+}
+
+TEST(GradeSheet, WhatIsWrittenIsToldCellByCell) {
+  const TemporaryFolder folder;
+  const std::string photo = printed(folder, {"--rows", "1", "--copies", "0"});
+  const auto cells =
+      nlohmann::json::parse(nazori_cli({"grade-sheet", photo, "--json"}).out)[0]["sheets"][0]["cells"];
+  auto page = view::load_picture_png(photo);
+  ASSERT_TRUE(page);
+  draw(*page, cells.at(1), U'休', 6);
+  draw(*page, cells.at(3), U'休', 5);
+  draw(*page, cells.at(5), U'永', 5);
+  ASSERT_TRUE(view::save_png(*page, folder / "written.png"));
+  const Outcome run = nazori_cli({"grade-sheet", folder / "written.png"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              testing::StartsWith(folder / "written.png" +
+                                  "  practice sheet, page 1: 24 cells to write in, 2 legible, 1 not legible, "
+                                  "21 empty\n"));
+  EXPECT_THAT(run.out, HasSubstr("\n    2  休  legible\n"));
+  EXPECT_THAT(run.out, HasSubstr("\n    4  休  legible: "));
+  EXPECT_THAT(run.out, HasSubstr("\n    6  休  not legible as this character, looks like 永\n"));
+  EXPECT_THAT(run.out, Not(HasSubstr("\n    1  ")));
+}
+
+TEST(GradeSheet, AQuizIsNamedAsOne) {
+  const TemporaryFolder folder;
+  const Outcome run = nazori_cli({"grade-sheet", printed(folder, {"--layout", "quiz"})});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("photo-1.png  quiz, page 1: "));
+  EXPECT_THAT(run.out, Not(HasSubstr("to trace")));
 }
 
 TEST(GradeSheet, WhatCannotBeReadIsRefusedInOneLine) {

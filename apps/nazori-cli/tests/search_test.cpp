@@ -77,6 +77,32 @@ TEST(Search, ForPeopleOneLineEach) {
   for (const char* part : {"休", "6 strokes", "grade 1", "rest"}) EXPECT_THAT(line, HasSubstr(part));
 }
 
+TEST(Search, ARadicalIsNumberedTo214OrGivenInAnyForm) {
+  EXPECT_THAT(found({"--radical", "1", "--grade", "1"}), Contains("一"));
+  EXPECT_THAT(found({"--radical", "214"}), Contains("龠"));
+  expect_one_line(nazori_cli({"search", "--radical", "0"}), 2, {"'0' is not a radical"});
+  expect_one_line(nazori_cli({"search", "--radical", "9a"}), 2, {"'9a' is not a radical"});
+}
+
+TEST(Search, EachConditionIsTaken) {
+  EXPECT_EQ(found({"--skip", "1-2-4", "--grade", "1"}),
+            found({"--skip", "1-2-4", "--grade", "1", "--strokes", "6"}));
+  EXPECT_THAT(found({"--four-corner", "2429.0", "--grade", "1"}), testing::ElementsAre("休"));
+  EXPECT_THAT(found({"--parts", "木亻", "--grade", "1"}), testing::ElementsAre("休"));
+  EXPECT_THAT(found({"--frequency", "1"}), testing::ElementsAre("日"));
+  const auto levels = found({"--jlpt", "4"});
+  EXPECT_THAT(levels, Contains("休"));
+  EXPECT_LT(levels.size(), 200U);
+}
+
+TEST(Search, WordsStandAloneWhereNoCharacterFitsAndNotWithConditions) {
+  const Outcome run = nazori_cli({"search", "kyuujitsu"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.out, "休日  きゅうじつ  holiday; day off\n");
+  EXPECT_THAT(nazori_cli({"search", "rest", "--grade", "1"}).out, testing::Not(HasSubstr("休憩")));
+  EXPECT_THAT(nazori_cli({"search", "rest"}).out, HasSubstr("休憩"));
+}
+
 TEST(Search, NothingFoundIsANo) {
   expect_one_line(nazori_cli({"search", "xyzzyplugh"}), 1, {"no matching character", "xyzzyplugh"});
   const Outcome run = nazori_cli({"search", "xyzzyplugh", "--json"});

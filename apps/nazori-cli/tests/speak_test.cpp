@@ -76,6 +76,27 @@ TEST_F(Speak, PlaysWithoutAFileAndPausesBetweenSeveral) {
   EXPECT_EQ(run.out, "か、き  espeak-ng\n");
 }
 
+TEST_F(Speak, ForPeopleNamesTheFileTheSourceAndTheTime) {
+  write(folder_ / "tone.wav", wav(4000));
+  const Outcome run = this->run({"カ", "--voice", "espeak-ng", "--output", folder_ / "a.wav"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, "か  " + (folder_ / "a.wav") + "  espeak-ng  0.50 s\n");
+  const Outcome piped = this->run({"カ", "--voice", "espeak-ng", "--output", "-"});
+  EXPECT_EQ(piped.code, 0) << piped.err;
+  const auto bytes = bytes_of(folder_ / "a.wav");
+  EXPECT_EQ(piped.out, std::string(bytes.begin(), bytes.end()));
+  const Json json = Json::parse(this->run({"カ", "--voice", "espeak-ng", "--json"}).out);
+  EXPECT_EQ(json["file"], nullptr);
+  expect_one_line(this->run({"カ", "--output", "-", "--json"}), 2, {"--output", "JSON"});
+}
+
+TEST_F(Speak, RecordingsOfAnotherFolderAreTaken) {
+  std::filesystem::create_directories(folder_ / "mine");
+  write(folder_ / "mine/か.wav", wav(1600));
+  const Outcome run = this->run({"か", "--recordings", folder_ / "mine", "-o", folder_ / "b.wav"});
+  EXPECT_EQ(run.out, "か  " + (folder_ / "b.wav") + "  recording  0.20 s\n");
+}
+
 TEST_F(Speak, ARecordingComesFirst) {
   write(folder_ / "data/nazori/sounds/か.wav", wav(4000));
   const Outcome run = this->run({"か", "-o", folder_ / "b.wav", "--json"});
