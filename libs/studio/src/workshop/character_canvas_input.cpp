@@ -41,7 +41,8 @@ void CharacterCanvas::mouseMoveEvent(QMouseEvent* event) {
     const QPointF by = (event->position() - *panned_from_) * (geometry::kGlyphSide / place_.width());
     centre_ -= by;
     panned_from_ = event->position();
-    zoom(1);
+    lay_out();
+    zoom(1);  // what is shown stays on the tablet
     return;
   }
   send(event->position(), down_, event->timestamp());

@@ -100,7 +100,7 @@ void GrooveCurve::show_groove(const carving::Groove& groove, std::optional<std::
       const double along = place.arc_length / length;
       line_.append({along, quantity_ == Quantity::depth ? place.depth : place.half_width});
       // The first place of a segment is the point where it begins.
-      if (along_[place.segment] == 0) along_[place.segment] = along;
+      if (place.segment > 0 && along_[place.segment] == 0) along_[place.segment] = along;
     }
     // Of points at one place only the last has a place of its own.
     for (std::size_t i = 1; i < along_.size(); ++i) along_[i] = std::max(along_[i], along_[i - 1]);
