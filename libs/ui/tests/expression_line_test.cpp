@@ -5,8 +5,10 @@
 
 #include <QImage>
 #include <QTest>
+#include <algorithm>
 
 #include "nazori/widgets/look/palette.h"
+#include "painting_under_test.h"
 
 namespace nazori::ui {
 namespace {
@@ -72,6 +74,38 @@ TEST(ExpressionLine, AnErrorIsUnderlinedWhereItIs) {
   EXPECT_LT(early.back(), late.front());
   line.mark_error(0);
   EXPECT_TRUE(marked_columns(line).isEmpty());
+}
+
+TEST(ExpressionLine, AnErrorIsUnderlinedWhereItIsInTeethOfAnEighthOfTheText) {
+  ExpressionLine line(nullptr);
+  line.resize(400, 40);
+  line.setText(QStringLiteral("y = 𝑥 + ?"));
+  line.setCursorPosition(0);
+  const auto zigzag = [&](int column) {
+    line.mark_error(column);
+    test::Drawn found;
+    for (const auto& one : test::drawn_by(line).all)
+      if (test::name_of(one.pen.color()) == QStringLiteral("vermilion")) found = one;
+    return found;
+  };
+  EXPECT_TRUE(zigzag(0).points.isEmpty());
+  const QFontMetrics metrics = line.fontMetrics();
+  const int tooth = std::max(2, metrics.height() / 8);
+  const auto first = zigzag(1);
+  ASSERT_GE(first.points.size(), 2);
+  EXPECT_NEAR(first.points[1].x() - first.points[0].x(), tooth, 0.01);
+  EXPECT_NEAR(first.points[0].y() - first.points[1].y(), tooth, 0.01);
+  EXPECT_NEAR(first.pen.widthF(), std::max(1.5, metrics.height() / 12.0), 0.01);
+  EXPECT_GE(first.box.width(), metrics.averageCharWidth());
+  // Column 5 is one letter of two units; column 9 is the sixth place after it.
+  const auto letter = zigzag(5);
+  EXPECT_NEAR(letter.points[0].x() - first.points[0].x(), metrics.horizontalAdvance(QStringLiteral("y = ")),
+              1.01);
+  const auto last = zigzag(9);
+  EXPECT_NEAR(last.points[0].x() - first.points[0].x(), metrics.horizontalAdvance(QStringLiteral("y = 𝑥 + ")),
+              1.01);
+  const auto behind = zigzag(10);
+  EXPECT_NEAR(behind.points[0].x() - first.points[0].x(), metrics.horizontalAdvance(line.text()), 1.01);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <vector>
 
 #include "nazori/widgets/look/palette.h"
 #include "nazori/widgets/words/trouble_words.h"
@@ -24,6 +25,48 @@ TEST(HomeWords, TimesAreToldInTheUnitInWhichPeopleThink) {
       {59, "about 8 weeks"}, {60, "about 2 months"}, {729, "about 24 months"}, {730, "about 2 years"}};
   for (const auto& [number, words] : all)
     EXPECT_EQ(HomeWords::about_days(number), QString::fromLatin1(words)) << number;
+}
+
+TEST(HomeWords, OfManyCharactersTheFirstTwelveAreShown) {
+  install_language(QStringLiteral("en"));
+  std::vector<char32_t> all;
+  EXPECT_EQ(HomeWords::in_a_row(all), QString());
+  for (const char32_t one : U"一二三四五六七八九十百千") {
+    if (one != 0) all.push_back(one);
+  }
+  EXPECT_EQ(HomeWords::in_a_row({U'一'}), QStringLiteral("一"));
+  EXPECT_EQ(HomeWords::in_a_row(all), QStringLiteral("一二三四五六七八九十百千"));
+  all.push_back(U'万');
+  EXPECT_EQ(HomeWords::in_a_row(all), QStringLiteral("一二三四五六七八九十百千…"));
+}
+
+TEST(HomeWords, WorkTimeAndMilestonesAreSaidInFewWords) {
+  install_language(QStringLiteral("en"));
+  using practice::PartOfDay;
+  EXPECT_EQ(HomeWords::greeting(PartOfDay::morning), QStringLiteral("Good morning"));
+  EXPECT_EQ(HomeWords::greeting(PartOfDay::afternoon), QStringLiteral("Good afternoon"));
+  EXPECT_EQ(HomeWords::greeting(PartOfDay::evening), QStringLiteral("Good evening"));
+  EXPECT_EQ(HomeWords::work(3, 0), QStringLiteral("3 reviews"));
+  EXPECT_EQ(HomeWords::work(0, 1), QStringLiteral("1 new character"));
+  EXPECT_EQ(HomeWords::work(1, 2), QStringLiteral("1 review and 2 new characters"));
+  using std::chrono::seconds;
+  EXPECT_EQ(HomeWords::minutes(seconds(1)), QStringLiteral("1 min"));
+  EXPECT_EQ(HomeWords::minutes(seconds(91)), QStringLiteral("2 min"));
+  practice::Milestone milestone;
+  milestone.list = "grade-2";
+  milestone.size = 160;
+  milestone.learned = 159;
+  EXPECT_EQ(HomeWords::list(milestone), QStringLiteral("Grade 2"));
+  EXPECT_EQ(HomeWords::count(milestone), QStringLiteral("159 of 160"));
+  EXPECT_EQ(HomeWords::done(milestone), QString());
+  milestone.days_left = 20;
+  EXPECT_EQ(HomeWords::done(milestone), QStringLiteral("Done in about 3 weeks at this pace."));
+  milestone.learned = 160;
+  EXPECT_EQ(HomeWords::done(milestone), QStringLiteral("Done."));
+  milestone.size = milestone.learned = 0;
+  milestone.days_left.reset();
+  EXPECT_EQ(HomeWords::done(milestone), QString()) << "an empty list is not done";
+  EXPECT_EQ(HomeWords::streak({}), QString());
 }
 
 TEST(TroubleWords, EveryKindOfMistakeHasASentence) {

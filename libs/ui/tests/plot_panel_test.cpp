@@ -88,6 +88,24 @@ TEST_F(PlotPanelByHand, EachExampleComesWithAWindowThatShowsItWell) {
   }
 }
 
+TEST_F(PlotPanelByHand, NamesStandAboveTheirFieldsBelowElevenLettersOfRoom) {
+  QFont font = panel_.font();
+  font.setPixelSize(28);
+  panel_.setFont(font);
+  int narrow = 0, wide = 0;
+  for (int width = 300; width <= 420; ++width) {
+    panel_.resize(width, 900);
+    QCoreApplication::sendPostedEvents();
+    const bool above = panel_.viewport()->width() - 2 * 16 < 11 * 28;
+    EXPECT_EQ(panel_.widget()->layout()->contentsMargins(),
+              above ? QMargins(4, 16, 4, 16) : QMargins(16, 16, 16, 16))
+        << width;
+    ++(above ? narrow : wide);
+  }
+  EXPECT_GT(narrow, 0);
+  EXPECT_GT(wide, 0);
+}
+
 TEST_F(PlotPanelByHand, TheBordersAreThoseOfTheWindow) {
   panel_.show_window({-1.5, 2, -1000000, 0.001});
   EXPECT_EQ(find("window_x0")->text(), QStringLiteral("-1.5"));

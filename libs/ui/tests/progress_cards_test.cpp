@@ -64,75 +64,6 @@ class ProgressCards : public SessionTest {
   }
 };
 
-TEST_F(ProgressCards, ACardShowsItsChartItsNumbersOrWhatMakesSome) {
-  QWidget window;
-  ChartCard card(QStringLiteral("x"), &window);
-  window.show();
-  practice::Chart chart;
-  ChartText words;
-  words.title = QStringLiteral("T");
-  words.empty = QStringLiteral("Do this.");
-  card.show_chart(chart, words);
-  EXPECT_EQ(text(card, "x_heading"), QStringLiteral("T"));
-  EXPECT_TRUE(card.findChild<QLabel*>(QStringLiteral("x_summary"))->isHidden());
-  EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_empty"));
-  EXPECT_EQ(shown(card)->focusPolicy(), Qt::StrongFocus);
-  EXPECT_EQ(shown(card)->accessibleName(), QStringLiteral("T. Do this."));
-  auto* numbers = card.findChild<QToolButton*>(QStringLiteral("x_numbers"));
-  auto* copy = card.findChild<QToolButton*>(QStringLiteral("x_copy"));
-  EXPECT_TRUE(numbers->isHidden());
-  EXPECT_TRUE(copy->isHidden());
-  card.set_shows_numbers(true);
-  EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_empty")) << "there are none";
-  card.set_shows_numbers(false);
-
-  words.summary = QStringLiteral("S.");
-  words.row_names = {QStringLiteral("a"), QStringLiteral("b")};
-  words.series_names = {QStringLiteral("N")};
-  words.numbers.head = {QStringLiteral("Day"), QStringLiteral("N")};
-  words.numbers.rows = {{QStringLiteral("d1"), QStringLiteral("1")},
-                        {QStringLiteral("d2"), QStringLiteral("2")}};
-  chart.positions = {0, 1};
-  chart.columns = {{practice::Quantity::reviews, {1, 2}}};
-  chart.series = {{0, practice::bars_look(), practice::Side::left}};
-  card.show_chart(chart, words);
-  EXPECT_FALSE(numbers->isHidden());
-  EXPECT_FALSE(copy->isHidden());
-  EXPECT_EQ(numbers->accessibleName(), QStringLiteral("Numbers of T"));
-  EXPECT_EQ(copy->accessibleName(), QStringLiteral("Copy the numbers of T"));
-  EXPECT_EQ(text(card, "x_summary"), QStringLiteral("S."));
-  EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_chart"));
-  EXPECT_EQ(shown(card)->accessibleName(), QStringLiteral("T"));
-  EXPECT_EQ(shown(card)->accessibleDescription(),
-            QStringLiteral("S. Left and Right: read row by row. N: show all numbers."));
-  EXPECT_EQ(text(card, "x_reading"), QStringLiteral("Left and Right: read row by row."));
-  const auto* reading = card.findChild<QLabel*>(QStringLiteral("x_reading"));
-  EXPECT_FALSE(reading->isHidden());
-  card.findChild<DayChart*>()->set_row(1);
-  EXPECT_EQ(reading->text(), QStringLiteral("d2: N 2"));
-  EXPECT_EQ(shown(card)->accessibleDescription(), QStringLiteral("d2: N 2"));
-
-  numbers->click();
-  EXPECT_TRUE(card.shows_numbers());
-  EXPECT_TRUE(reading->isHidden());
-  auto* table = qobject_cast<QTableWidget*>(shown(card));
-  ASSERT_NE(table, nullptr);
-  EXPECT_EQ(table->rowCount(), 2);
-  EXPECT_EQ(table->columnCount(), 2);
-  EXPECT_EQ(table->horizontalHeaderItem(1)->text(), QStringLiteral("N"));
-  EXPECT_EQ(table->item(1, 0)->text(), QStringLiteral("d2"));
-  EXPECT_EQ(table->item(1, 1)->data(Qt::AccessibleTextRole).toString(), QStringLiteral("d2: N 2"));
-  card.show_chart(chart, words);
-  EXPECT_EQ(shown(card), table) << "the numbers stay chosen";
-  EXPECT_TRUE(reading->isHidden());
-  card.set_shows_numbers(false);
-  EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_chart"));
-  EXPECT_FALSE(reading->isHidden());
-  const QSignalSpy wanted(&card, &ChartCard::copy_wanted);
-  copy->click();
-  EXPECT_EQ(wanted.count(), 1);
-}
-
 TEST_F(ProgressCards, TheKeyboardStaysOnWhatTakesThePlaceOfTheChart) {
   QWidget window;
   ChartCard card(QStringLiteral("x"), &window);
@@ -293,6 +224,11 @@ TEST_F(ProgressPageTest, TheFiguresSayWhatStudyBrought) {
   show(s);
   EXPECT_EQ(figures().size(), 3);
   EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 3, longest 12; not yet today"));
+  s.last_30_days = {1, 1, 0.5};
+  show(s);
+  EXPECT_EQ(figures().value(2),
+            QStringLiteral("Recall in the last 30 days: 100% of 1 reviews (predicted: 50%)"));
+  s.last_30_days.reviews = 0;
   s.streak.today_done = true;
   show(s);
   EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 3, longest 12; day off used this week"));

@@ -79,6 +79,40 @@ TEST_F(SessionPanelTest, TellsWhatWasForgottenAndWhichThreeStrokesWentWrongMost)
                 "Stroke 3 was wrong 3 times.\nStroke 6 was wrong 2 times.\nStroke 2 was wrong 2 times."));
 }
 
+TEST_F(SessionPanelTest, NamesThePartsOfACharacterThatIsRelearnedAndOfNoOther) {
+  know(U'八');
+  auto settings = learner_->store().settings();
+  settings.leech_lapses = 2;
+  settings.new_per_day = 0;
+  ASSERT_TRUE(learner_->store().change_settings(settings));
+  const auto with_parts = [this] {
+    auto made = sheet();
+    made->parts = {{"丿", 0, "", "a slash"}, {"㇏", 0, "", ""}};
+    return made;
+  };
+  SessionPanel panel(*session_, *learner_, &window_);
+  ASSERT_TRUE(session_->start());
+  panel.show_state(with_parts());
+  EXPECT_EQ(shown("session_parts"), QStringLiteral("(hidden)")) << "a review";
+  session_->end();
+  study::Writing writing;
+  while (!learner_->store().card(U'八').leech) {
+    now_ += std::chrono::days(40);
+    writing.rating = Rating::again;
+    ASSERT_TRUE(learner_->store().add_writing(U'八', 2, writing));
+    now_ += std::chrono::minutes(15);
+    writing.rating = Rating::good;
+    ASSERT_TRUE(learner_->store().add_writing(U'八', 2, writing));
+  }
+  ASSERT_TRUE(session_->start(true));
+  bring(U'八');
+  panel.show_state(with_parts());
+  EXPECT_EQ(shown("session_kind"), QStringLiteral("Relearning: forgotten too often"));
+  EXPECT_EQ(shown("session_parts"), QStringLiteral("Parts: 丿 a slash + ㇏."));
+  panel.show_state(sheet());
+  EXPECT_EQ(shown("session_parts"), QStringLiteral("(hidden)")) << "it has none";
+}
+
 TEST_F(SessionPanelTest, ShowsTheLastThreeWritingsFromMemoryBesideTodays) {
   const auto ink_of = [](int length) {
     study::HandwritingStroke stroke;

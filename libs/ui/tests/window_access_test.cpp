@@ -4,9 +4,13 @@
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
+#include <QFormLayout>
+#include <QGridLayout>
 #include <QMenu>
 #include <QSet>
 #include <QTimer>
+#include <functional>
 
 #include "window_under_test.h"
 
@@ -31,7 +35,64 @@ class Access : public WindowTest {
       QCoreApplication::processEvents();
     }
   }
+  /// Opens every dialog of every page, and closes it again. @return how many there were.
+  int for_each_dialog(const std::function<void(QDialog&, const QString& opened_by)>& look_at) {
+    int seen = 0;
+    QTimer look;
+    QString opened_by;
+    QObject::connect(&look, &QTimer::timeout, [&] {
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr) return;
+      look_at(*dialog, opened_by);
+      ++seen;
+      dialog->reject();
+    });
+    look.start(10);
+    for (auto* page : pages()) {
+      go_to(page);
+      for (auto* action : window_->findChildren<QAction*>()) {
+        // Three dots say that a dialog follows. Those for files are the desktop's own.
+        const bool files = action->objectName().contains(QStringLiteral("open")) ||
+                           action->objectName().contains(QStringLiteral("record")) ||
+                           action->objectName() == QStringLiteral("voice_file") ||
+                           action->objectName().contains(QStringLiteral("export")) ||
+                           action->objectName().contains(QStringLiteral("import"));
+        if (!action->text().endsWith(QStringLiteral("…")) || !action->isEnabled() || files) continue;
+        opened_by = action->objectName();
+        action->trigger();
+        settle();
+      }
+    }
+    return seen;
+  }
 };
+
+/// Layouts whose margins or spacing are odd. Those of the window go by steps of two pixels, so that what is
+/// in a page stands in line. 9 and 3 are in use, and 11 is the style's.
+QString uneven_layouts(const QWidget& whole) {
+  QStringList uneven;
+  for (const auto* layout : whole.findChildren<QLayout*>()) {
+    const auto* box = qobject_cast<const QBoxLayout*>(layout);
+    const bool is_ours = box != nullptr || qobject_cast<const QGridLayout*>(layout) != nullptr ||
+                         qobject_cast<const QFormLayout*>(layout) != nullptr;
+    const auto* holder = layout->parentWidget();
+    if (!is_ours || holder == nullptr || holder->inherits("QDialogButtonBox") ||
+        holder->inherits("QMessageBox") || holder->inherits("QToolBar"))
+      continue;
+    const QMargins m = layout->contentsMargins();
+    for (const int width : {m.left(), m.top(), m.right(), m.bottom(), layout->spacing()})
+      if (width > 0 && width % 2 != 0 && width != 3 && width != 9 && width != 11)
+        uneven.append(QStringLiteral("%1 %2: %3 %4 %5 %6, %7")
+                          .arg(QString::fromLatin1(holder->metaObject()->className()), holder->objectName())
+                          .arg(m.left())
+                          .arg(m.top())
+                          .arg(m.right())
+                          .arg(m.bottom())
+                          .arg(layout->spacing()));
+  }
+  uneven.removeDuplicates();
+  return uneven.join(QLatin1Char('\n'));
+}
 
 bool holds_a_value(QAccessible::Role role) {
   return role == QAccessible::ComboBox || role == QAccessible::SpinBox || role == QAccessible::Slider ||
@@ -106,32 +167,23 @@ TEST_F(Access, EveryControlOfEveryPageHasARoleANameAndAValue) {
 }
 
 TEST_F(Access, EveryControlOfEveryDialogHasARoleANameAndAValue) {
-  int seen = 0;
-  QTimer look;
-  QString opened_by;
-  QObject::connect(&look, &QTimer::timeout, [&] {
-    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-    if (dialog == nullptr) return;
-    EXPECT_EQ(missing_in(dialog), QString()) << opened_by.toStdString();
-    ++seen;
-    dialog->reject();
+  const int seen = for_each_dialog([](QDialog& dialog, const QString& opened_by) {
+    EXPECT_EQ(missing_in(&dialog), QString()) << opened_by.toStdString();
   });
-  look.start(10);
+  EXPECT_GE(seen, 5);
+}
+
+TEST_F(Access, EveryLayoutOfEveryPageKeepsToWholeSteps) {
   for (auto* page : pages()) {
     go_to(page);
-    for (auto* action : window_->findChildren<QAction*>()) {
-      // Three dots say that a dialog follows. Those for files are the desktop's own.
-      const bool files = action->objectName().contains(QStringLiteral("open")) ||
-                         action->objectName().contains(QStringLiteral("record")) ||
-                         action->objectName() == QStringLiteral("voice_file") ||
-                         action->objectName().contains(QStringLiteral("export")) ||
-                         action->objectName().contains(QStringLiteral("import"));
-      if (!action->text().endsWith(QStringLiteral("…")) || !action->isEnabled() || files) continue;
-      opened_by = action->objectName();
-      action->trigger();
-      settle();
-    }
+    EXPECT_EQ(uneven_layouts(*window_), QString()) << page->objectName().toStdString();
   }
+}
+
+TEST_F(Access, EveryLayoutOfEveryDialogKeepsToWholeSteps) {
+  const int seen = for_each_dialog([](QDialog& dialog, const QString& opened_by) {
+    EXPECT_EQ(uneven_layouts(dialog), QString()) << opened_by.toStdString();
+  });
   EXPECT_GE(seen, 5);
 }
 

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QSlider>
 
+#include "functions/plot_panel.h"
 #include "functions_window.h"
 
 namespace nazori::ui {
@@ -53,6 +54,20 @@ TEST_F(ParametersWindow, ASliderStaysWhileItsRangeStaysAndGoesWhereTheTypedValue
   EXPECT_EQ(find<QSlider>("parameter_a"), slider);
   EXPECT_EQ(slider->value(), 100);
   EXPECT_EQ(expression(), QStringLiteral("y = a x^2; a = 2; 0 <= a <= 3"));
+}
+
+TEST_F(ParametersWindow, AValueThatStandsInTheLineIsNotWrittenIntoItAgain) {
+  type(QStringLiteral("y = a x; a = 1; 0 <= a <= 3"));
+  auto* line = find<QLineEdit>("expression");
+  line->setCursorPosition(3);
+  const QString before = feedback();
+  auto* panel = window_->findChild<PlotPanel*>();
+  ASSERT_NE(panel, nullptr);
+  emit panel->parameter_moved(QStringLiteral("a"), 1);
+  EXPECT_EQ(line->cursorPosition(), 3);
+  EXPECT_EQ(feedback(), before);
+  emit panel->parameter_moved(QStringLiteral("b"), 1);
+  EXPECT_EQ(expression(), QStringLiteral("y = a x; a = 1; 0 <= a <= 3")) << "there is no such letter";
 }
 
 TEST_F(ParametersWindow, WhatASliderWroteIsUndoneInTheLine) {

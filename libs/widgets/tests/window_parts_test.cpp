@@ -13,7 +13,6 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
-#include <QToolButton>
 #include <utility>
 
 #include "nazori/widgets/controls/feedback_line.h"
@@ -22,7 +21,6 @@
 #include "nazori/widgets/controls/panes.h"
 #include "nazori/widgets/dialogs/save_dialog.h"
 #include "nazori/widgets/words/error_text.h"
-#include "window/page_rail.h"
 
 namespace nazori::ui {
 namespace {
@@ -379,29 +377,6 @@ TEST(ReasonOfAnError, IsItsKindWithWhatIsKnownOfIt) {
             QStringLiteral("it could not be read or written (disk full)"));
   EXPECT_EQ(reason({Errc::io, "disk full", "", "delete something"}),
             QStringLiteral("it could not be read or written (disk full; delete something)"));
-}
-
-TEST(PageRail, ShowsWordsOnlyInAWideWindow) {
-  QAction one(QStringLiteral("One"));
-  one.setObjectName(QStringLiteral("go_one"));
-  one.setStatusTip(QStringLiteral("The first"));
-  PageRail rail({&one}, nullptr);
-  const auto* button = rail.findChild<QToolButton*>(QStringLiteral("rail_go_one"));
-  ASSERT_NE(button, nullptr);
-  EXPECT_EQ(button->accessibleName(), QStringLiteral("One"));
-  EXPECT_EQ(button->accessibleDescription(), QStringLiteral("The first"));
-  EXPECT_TRUE(button->focusPolicy() & Qt::TabFocus);
-  QFont font;
-  font.setPixelSize(10);
-  rail.setFont(font);
-  rail.fit(720);
-  EXPECT_EQ(rail.toolButtonStyle(), Qt::ToolButtonTextUnderIcon);
-  rail.fit(719);
-  EXPECT_EQ(rail.toolButtonStyle(), Qt::ToolButtonIconOnly);
-  rail.fit(720);
-  font.setPixelSize(11);
-  rail.setFont(font);
-  EXPECT_EQ(rail.toolButtonStyle(), Qt::ToolButtonIconOnly) << "larger letters need a wider window";
 }
 
 }  // namespace
