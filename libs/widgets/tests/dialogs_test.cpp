@@ -7,6 +7,7 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QLayout>
+#include <QMouseEvent>
 #include <QPointingDevice>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -179,6 +180,9 @@ TEST(ChoiceOfAList, HoldsTheListsOfALearnerAndKeepsItsOwn) {
 class StatusOfTheWindow : public testing::Test {
  protected:
   StatusOfTheWindow() {
+    // Another test may have written with a pen.
+    QMouseEvent mouse(QEvent::MouseMove, QPointF(), QPointF(), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&line_, &mouse);
     line_.resize(3000, 30);
     line_.show();
     line_.show_figures(true);

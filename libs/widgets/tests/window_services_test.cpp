@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QDBusVariant>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -110,6 +111,9 @@ TEST(StatusLine, TellsDepthInMillimetresWhileThereIsAny) {
   practice::TabletRecording recording(loop.inbox(), controller.device(),
                                       unfinished_recordings(folder.filePath(QStringLiteral("nazori.ini"))));
   StatusLine line(controller, recording, nullptr);
+  // Another test may have written with a pen.
+  QMouseEvent mouse(QEvent::MouseMove, QPointF(), QPointF(), Qt::NoButton, Qt::NoButton, {});
+  QCoreApplication::sendEvent(&line, &mouse);
   line.resize(2000, 30);
   line.show();
   const auto* depth = line.findChild<QLabel*>(QStringLiteral("depth"));
