@@ -99,6 +99,19 @@ TEST(CutOut, UnevenLightIsPaper) {
   EXPECT_LT(written[index(48, 56)], 0.08);
 }
 
+TEST(CutOut, LightThatFallsFromOneSideIsPaper) {
+  for (const bool from_left : {false, true}) {
+    Photo photo = paper(128, 128, 0);
+    for (int y = 0; y < 128; ++y)
+      for (int x = 0; x < 128; ++x)
+        photo.grey[static_cast<std::size_t>(y * 128 + x)] =
+            static_cast<std::uint8_t>(110 + (from_left ? x : y));
+    const DarkCell cell = cut_out(photo, seen_from_above(1), {{U'一', {0, 0}, kCellSide, false}, 0, 0});
+    for (int y = 16; y < 112; ++y)
+      for (int x = 16; x < 112; ++x) ASSERT_LT(cell[index(x, y)], 0.08) << x << " " << y;
+  }
+}
+
 TEST(CutOut, BlackPaperIsNotDivided) {
   const DarkCell cell =
       cut_out(paper(128, 128, 0), seen_from_above(1), {{U'一', {0, 0}, kCellSide, false}, 0, 0});

@@ -252,6 +252,12 @@ TEST(Lines, AShortSpurOfAThickLineIsNoStrokeButALongOneIs) {
   EXPECT_THAT(Drawn().block(20, 60, 99, 66).block(60, 50, 62, 59).lines(), SizeIs(2));
 }
 
+TEST(Lines, ASpurOfTwoPixelsOnALineOfSinglePixelsIsAStroke) {
+  const auto lines = Drawn().block(20, 60, 99, 60).block(60, 58, 60, 59).lines();
+  ASSERT_THAT(lines, SizeIs(2));
+  EXPECT_FALSE(from_end(lines, {60, 58}, 0).empty());
+}
+
 TEST(Lines, AShortStrokeThatStandsAloneIsKept) {
   const auto lines = Drawn().block(20, 60, 99, 66).block(50, 90, 53, 90).lines();
   ASSERT_THAT(lines, SizeIs(2));
