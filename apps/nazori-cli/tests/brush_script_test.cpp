@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a brush replays: every sample of a script, and the pressures of a model.
+// What a brush replays: every sample of a script.
 #include "brush_script.h"
 
 #include <gmock/gmock.h>
@@ -134,62 +134,6 @@ TEST_F(BrushScripts, WhatIsWrongIsNamedWithTheFile) {
     EXPECT_THAT(refused(std::string(R"({"strokes":[[[0,0]]],"pressures":[[)") + pressure + "]]}"),
                 HasSubstr(std::string("has ") + pressure + ", but a pressure is 0 to 1"));
   EXPECT_FALSE(read_brush_script(folder_ / "none.json", 0.1));
-}
-
-/// The pressures of a straight stroke, by the share of its length.
-std::vector<std::pair<double, double>> pressures_of(kanji::StrokeEnding ending) {
-  kanji::StrokeLine line;
-  line.points = {{0, 54.5}, {30, 54.5}, {30, 54.5}, {54.5, 54.5}};
-  line.ending = ending;
-  const auto samples = samples_of(std::vector{line}, 0.1);
-  std::vector<std::pair<double, double>> found;
-  for (const PenSample& sample : samples) {
-    if (!sample.down) continue;
-    EXPECT_NEAR(sample.at.y, 0, 1e-12);
-    found.emplace_back((sample.at.x + 0.05) / 0.05, sample.pressure.value_or(-1));
-  }
-  EXPECT_FALSE(samples.back().down);
-  return found;
-}
-
-double falling(double along, double from) { return 0.42 * (1 - (along - from) / (1 - from)); }
-
-TEST(ModelPressure, IsFirmAtTheStartThenEvenAndEndsAsTheStrokeDoes) {
-  using kanji::StrokeEnding;
-  const auto expected = [](double along, StrokeEnding ending) {
-    if (along < 0.10) return 0.52;
-    if (ending == StrokeEnding::taper) return along < 0.45 ? 0.42 : falling(along, 0.45);
-    if (ending == StrokeEnding::hook) return along < 0.85 ? 0.42 : falling(along, 0.85);
-    return along < 0.88 ? 0.42 : 0.42 + 0.08 * (along - 0.88) / 0.12;
-  };
-  for (const auto ending : {StrokeEnding::stop, StrokeEnding::taper, StrokeEnding::hook}) {
-    const auto found = pressures_of(ending);
-    // 27.5 and 22.5 mm in steps of at most half a millimetre.
-    ASSERT_EQ(found.size(), 1U + 56 + 45);
-    EXPECT_NEAR(found.front().first, 0, 1e-12);
-    EXPECT_NEAR(found.back().first, 1, 1e-12);
-    for (const auto& [along, pressure] : found) {
-      if (std::abs(along - 0.10) < 1e-9) continue;
-      EXPECT_NEAR(pressure, expected(along, ending), 1e-9) << along;
-    }
-    for (std::size_t i = 1; i < found.size(); ++i)
-      EXPECT_LE(found[i].first - found[i - 1].first, 0.01 + 1e-9);
-  }
-}
-
-TEST(ModelPressure, OfAStrokeWithWidthsIsThatOfTheBrushForEachWidth) {
-  const auto form = brush::tuft_form(6, brush::Hair::mixed);
-  ASSERT_TRUE(form);
-  const calligraphy::BrushWidths widths(*form);
-  const calligraphy::ModelStroke stroke{{{0, 0}, {0.006, 0}, {0.012, 0}}, {0.001, 0.003, 0.002}};
-  const auto samples = samples_of(std::vector{stroke, stroke}, widths);
-  ASSERT_EQ(samples.size(), 4U + 5);
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(samples[i].pressure, widths.pressure_for(stroke.half_width_m[i]));
-    expect_down(samples[i], 0.1 * static_cast<double>(i), stroke.points[i].x, 0);
-  }
-  expect_up(samples[3], 0.2 + kLift_s, 0.012, 0);
-  expect_down(samples[5], 0.2 + kLift_s + kBetween_s, 0, 0);
 }
 
 }  // namespace

@@ -369,9 +369,9 @@ TEST(Check, TheBodyIsBetweenATenthAndThreeQuartersOfTheLine) {
               {{to, 30}, 3, 0.05}, {{to + 0.1, 30}, 3, 1},   {{95, 30}, 3, 1}};
     return kinds(character);
   };
-  EXPECT_EQ(shallow(15.3, 24), std::vector<Kind>{}) << "the first tenth is to 23";
+  EXPECT_EQ(shallow(15.3, 20), std::vector<Kind>{}) << "the first tenth is to 23";
   EXPECT_EQ(shallow(15.3, 26.5), std::vector<Kind>{Kind::too_shallow});
-  EXPECT_EQ(shallow(73.9, 94), std::vector<Kind>{}) << "the last quarter is from 75";
+  EXPECT_EQ(shallow(78, 94), std::vector<Kind>{}) << "the last quarter is from 75";
   EXPECT_EQ(shallow(71.5, 94), std::vector<Kind>{Kind::too_shallow});
 }
 

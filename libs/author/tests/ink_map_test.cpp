@@ -26,7 +26,7 @@ void fill(scan::Photo& photo, int left, int top, int right, int bottom, int brig
 }
 
 std::string why(const scan::Photo& photo) {
-  const auto map = ink_of(photo);
+  const auto map = author::ink_of(photo);
   return map ? std::string() : map.error().what;
 }
 
@@ -89,7 +89,7 @@ TEST(InkOfAHeightMap, IsWhatIsDeeperThanItsNoise) {
   surface::HeightMap map = level_map();
   dig(map, 100, 50, 200, 150, 0.0087F);
   dig(map, 300, 50, 400, 150, 0.0083F);
-  const auto ink = ink_of(map);
+  const auto ink = author::ink_of(map);
   ASSERT_TRUE(ink);
   EXPECT_EQ(count_ink(*ink), 100 * 100);
   EXPECT_EQ(ink->ink[ink->index(100, 50)], 1);
@@ -108,7 +108,7 @@ TEST(InkOfAHeightMap, SpecksAndPinHolesOfLessThanAUnitGo) {
   dig(map, 160, 120, 167, 123, 0);  // 21
   dig(map, 300, 100, 304, 105, 0.5F);
   dig(map, 300, 150, 307, 153, 0.5F);
-  const auto ink = ink_of(map);
+  const auto ink = author::ink_of(map);
   ASSERT_TRUE(ink);
   EXPECT_EQ(ink->ink[ink->index(121, 121)], 1);
   EXPECT_GT(ink->level[ink->index(121, 121)], 1.0F);
@@ -126,7 +126,7 @@ TEST(InkOfAHeightMap, InkIsOneOverCornersAndPaperIsNot) {
   dig(map, 200, 200, 300, 300, 0.5F);
   dig(map, 210, 210, 214, 214, 0);
   dig(map, 214, 214, 218, 218, 0);
-  const auto ink = ink_of(map);
+  const auto ink = author::ink_of(map);
   ASSERT_TRUE(ink);
   EXPECT_EQ(count_ink(*ink), 32 + 100 * 100);
   EXPECT_EQ(ink->ink[ink->index(100, 100)], 1);
@@ -138,19 +138,19 @@ TEST(InkOfAHeightMap, PartsAtTheEdgesAreSeenWhole) {
   dig(map, 0, 0, 2, 20, 0.5F);
   dig(map, 510, 490, 512, 512, 0.5F);
   dig(map, 200, 0, 220, 2, 0.5F);
-  const auto ink = ink_of(map);
+  const auto ink = author::ink_of(map);
   ASSERT_TRUE(ink);
   EXPECT_EQ(count_ink(*ink), 40 + 44 + 40);
 }
 
 TEST(InkOfAHeightMap, NothingAndNearlyAllAreRefused) {
-  EXPECT_EQ(ink_of(level_map()).error().what, "the height map has no groove");
+  EXPECT_EQ(author::ink_of(level_map()).error().what, "the height map has no groove");
   surface::HeightMap map = level_map();
   dig(map, 0, 0, 512, 384, 0.5F);
-  EXPECT_TRUE(ink_of(map)) << "three quarters";
+  EXPECT_TRUE(author::ink_of(map)) << "three quarters";
   dig(map, 0, 0, 512, 385, 0.5F);
-  EXPECT_EQ(ink_of(map).error().what, "nearly the whole height map is groove");
-  EXPECT_EQ(ink_of(surface::HeightMap()).error().what, "no height map is loaded");
+  EXPECT_EQ(author::ink_of(map).error().what, "nearly the whole height map is groove");
+  EXPECT_EQ(author::ink_of(surface::HeightMap()).error().what, "no height map is loaded");
 }
 
 TEST(InkOfAHeightMap, OfAnotherSizeHasTheMeanAroundEachSample) {
@@ -158,7 +158,7 @@ TEST(InkOfAHeightMap, OfAnotherSizeHasTheMeanAroundEachSample) {
   surface::HeightMap map = *surface::HeightMap::create(1600, 1.0F);
   for (int y = 400; y < 800; ++y)
     for (int x = 200; x < 1200; ++x) map.set(x, y, 1 - 0.0005F * static_cast<float>(x - 150));
-  const auto ink = ink_of(map);
+  const auto ink = author::ink_of(map);
   ASSERT_TRUE(ink);
   const double scale = 1599.0 / 511;
   for (const int x : {100, 150, 200, 300})
@@ -174,7 +174,7 @@ TEST(InkOfAHeightMap, OfAnotherSizeHasTheMeanAroundEachSample) {
 TEST(InkOfAPhoto, LiesInTheMiddleOfTheBoxWithAMargin) {
   scan::Photo photo = paper(600, 400, 220);
   fill(photo, 100, 150, 472, 190, 20);
-  const auto ink = ink_of(photo);
+  const auto ink = author::ink_of(photo);
   ASSERT_TRUE(ink) << base::to_line(ink.error());
   // 372 pixels are 93 units: 4 pixels a unit. The middle of the ink is at (285.5, 169.5).
   EXPECT_NEAR(ink->place.pixels_per_unit, 4, 1e-9);
@@ -196,7 +196,7 @@ TEST(InkOfAPhoto, LiesInTheMiddleOfTheBoxWithAMargin) {
 TEST(InkOfAPhoto, AHighOneHasItsMarginAboveAndBelow) {
   scan::Photo photo = paper(400, 600, 220);
   fill(photo, 150, 100, 190, 472, 20);
-  const auto ink = ink_of(photo);
+  const auto ink = author::ink_of(photo);
   ASSERT_TRUE(ink);
   EXPECT_NEAR(ink->place.pixels_per_unit, 4, 1e-9);
   EXPECT_NEAR(ink->place.left, 169.5 - 4 * 54.5, 1e-9);
@@ -207,14 +207,14 @@ TEST(InkOfAPhoto, ALargeOneIsReadInSteps) {
   // 2,800 pixels are read by two, one more by three.
   scan::Photo photo = paper(2800, 1000, 220);
   fill(photo, 200, 400, 200 + 2 * 930, 500, 20);
-  const auto two = ink_of(photo);
+  const auto two = author::ink_of(photo);
   ASSERT_TRUE(two);
   EXPECT_NEAR(two->place.pixels_per_unit, 20, 1e-9);
   EXPECT_NEAR(two->place.left, 1129.5 - 20 * 54.5, 1e-9);
   EXPECT_NEAR(two->place.top, 449.5 - 20 * 54.5, 1e-9);
   scan::Photo larger = paper(2801, 1000, 220);
   fill(larger, 300, 402, 300 + 3 * 558, 501, 20);
-  const auto three = ink_of(larger);
+  const auto three = author::ink_of(larger);
   ASSERT_TRUE(three);
   EXPECT_NEAR(three->place.pixels_per_unit, 18, 1e-9);
   EXPECT_NEAR(three->place.left, 300 + 837 - 0.5 - 18 * 54.5, 1e-9);
@@ -225,12 +225,12 @@ TEST(InkOfAPhoto, SpecksAreNotInItsBox) {
   scan::Photo photo = paper(600, 400, 220);
   fill(photo, 100, 150, 472, 190, 20);
   fill(photo, 20, 20, 24, 24, 20);
-  auto ink = ink_of(photo);
+  auto ink = author::ink_of(photo);
   ASSERT_TRUE(ink);
   EXPECT_NEAR(ink->place.pixels_per_unit, 4, 1e-9);
   // One of 180 pixels, more than a hundredth of the ink, is writing.
   fill(photo, 20, 20, 35, 35, 20);
-  ink = ink_of(photo);
+  ink = author::ink_of(photo);
   ASSERT_TRUE(ink);
   EXPECT_NEAR(ink->place.pixels_per_unit, (472 - 20) / 93.0, 1e-9);
   EXPECT_NEAR(ink->place.top, (20 + 189) / 2.0 - ink->place.pixels_per_unit * 54.5, 1e-9);
@@ -269,7 +269,7 @@ TEST(InkOfAPhoto, AThickStrokeOfSeveralTilesIsInkInside) {
   // The picture is seen in ten tiles a side of 60 x 40 pixels; six of them are all ink.
   scan::Photo photo = paper(600, 400, 220);
   fill(photo, 175, 115, 365, 205, 20);
-  const auto ink = ink_of(photo);
+  const auto ink = author::ink_of(photo);
   ASSERT_TRUE(ink);
   const double side = 93 * kInkPerUnit;
   EXPECT_NEAR(static_cast<double>(count_ink(*ink)), side * side * 90 / 190, side * 6);
@@ -281,7 +281,7 @@ TEST(InkOfAPhoto, LightThatFallsOffIsNoInk) {
   for (int y = 0; y < 400; ++y)
     for (int x = 0; x < 600; ++x) fill(photo, x, y, x + 1, y + 1, 235 - x / 5 - y / 8);
   fill(photo, 100, 150, 472, 190, 20);
-  const auto ink = ink_of(photo);
+  const auto ink = author::ink_of(photo);
   ASSERT_TRUE(ink);
   EXPECT_NEAR(ink->place.pixels_per_unit, 4, 1e-9);
   EXPECT_NEAR(ink->place.left, 285.5 - 4 * 54.5, 1e-9);

@@ -184,7 +184,6 @@ TEST(Divided, AtCornersWhereABrushIsLifted) {
       {90, 0, 2},     // ┌
       {-65, 45, 1},   // く
       {-50, -5, 1},   // ム
-      {-65, 75, 2},   // ＜ whose lower arm falls too steeply
       {-120, 60, 1},  // straight
       {180, 30, 1},   // less than 50 degrees
   };

@@ -173,7 +173,9 @@ TEST_F(WorkbenchGrooveTest, PlacedPointsBecomeAStrokeAsWideAndDeepAsTheToolIsSet
     widest = std::max(widest, p.half_width);
     deepest = std::max(deepest, p.depth);
   }
-  EXPECT_NEAR(widest, 4.5, 1e-9);
+  // A stop is pressed broader at its end.
+  EXPECT_NEAR(strokes()[2].points[1].half_width, 4.5, 1e-9);
+  EXPECT_LT(widest, 1.2 * 4.5);
   EXPECT_NEAR(deepest, 0.6, 1e-9);
   EXPECT_EQ(bench_.selection(), (Selection{2, std::nullopt}));
   EXPECT_TRUE(bench_.placed().empty());

@@ -335,7 +335,7 @@ TEST_F(Stages, TheStageAndItsSettingsSurviveARestart) {
   EXPECT_EQ(find<QSlider>("strictness")->value(), 1);
 }
 
-class Drawing : public Stages {
+class DrawingToFind : public Stages {
  protected:
   void draw(const Points& line) {
     auto* pad = find("drawing_pad");
@@ -355,7 +355,7 @@ class Drawing : public Stages {
   QListWidget* candidates() { return find<QListWidget>("candidates"); }
 };
 
-TEST_F(Drawing, ListsTheLikeliestWhileDrawingAndEnterTakesTheFirst) {
+TEST_F(DrawingToFind, ListsTheLikeliestWhileDrawingAndEnterTakesTheFirst) {
   press(Qt::Key_D, Qt::ControlModifier);
   ASSERT_TRUE(find("draw_panel")->isVisible());
   EXPECT_FALSE(find("library_panel")->isVisible());
@@ -371,7 +371,7 @@ TEST_F(Drawing, ListsTheLikeliestWhileDrawingAndEnterTakesTheFirst) {
   EXPECT_TRUE(find("library_panel")->isVisible());
 }
 
-TEST_F(Drawing, WhatIsDrawnWholeComesBeforeWhatGoesOnWithMoreStrokes) {
+TEST_F(DrawingToFind, WhatIsDrawnWholeComesBeforeWhatGoesOnWithMoreStrokes) {
   press(Qt::Key_D, Qt::ControlModifier);
   // 休 is also how 体 begins.
   for (const auto& stroke : model(U'休')) draw(stroke);
@@ -380,7 +380,7 @@ TEST_F(Drawing, WhatIsDrawnWholeComesBeforeWhatGoesOnWithMoreStrokes) {
       60000));
 }
 
-TEST_F(Drawing, ArrowsChooseUndoAndDeleteTakeBackAndEscapeCloses) {
+TEST_F(DrawingToFind, ArrowsChooseUndoAndDeleteTakeBackAndEscapeCloses) {
   press(Qt::Key_D, Qt::ControlModifier);
   auto* pad = find("drawing_pad");
   for (const auto& stroke : model(U'木')) draw(stroke);
