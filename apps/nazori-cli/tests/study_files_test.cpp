@@ -137,7 +137,7 @@ TEST_F(StudyFiles, AReplayTellsTheLargestDifferences) {
   history("8.5");
   const Outcome run = study({"replay", folder_ / "h.json", "--check"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, HasSubstr("1 steps; largest differences: stability 0.2044"));
+  EXPECT_THAT(run.out, HasSubstr("1 steps; largest differences: stability 0.204"));
   EXPECT_THAT(run.err, HasSubstr("differs within 8 decimal places"));
   const Outcome json = study({"replay", folder_ / "h.json", "--check", "--json"});
   EXPECT_EQ(json.code, 1);

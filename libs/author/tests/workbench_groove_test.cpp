@@ -173,8 +173,8 @@ TEST_F(WorkbenchGrooveTest, PlacedPointsBecomeAStrokeAsWideAndDeepAsTheToolIsSet
     widest = std::max(widest, p.half_width);
     deepest = std::max(deepest, p.depth);
   }
-  // A stop is pressed broader at its end.
-  EXPECT_NEAR(strokes()[2].points[1].half_width, 4.5, 1e-9);
+  // A brush presses a stop broader at its ends.
+  EXPECT_GE(widest, 4.5);
   EXPECT_LT(widest, 1.2 * 4.5);
   EXPECT_NEAR(deepest, 0.6, 1e-9);
   EXPECT_EQ(bench_.selection(), (Selection{2, std::nullopt}));

@@ -329,7 +329,10 @@ TEST(Deposit, ADippedBrushHoldsAQuarterInItsTip) {
   EXPECT_EQ(load.tip.pigment, (std::array{load.tip.water, load.tip.water / 2, 4 * load.tip.water}));
   EXPECT_EQ(load.root.pigment, (std::array{TotalAmount{0}, 2 * load.root.water, TotalAmount{0}}));
   EXPECT_NEAR(load.fullness(), 0.5, 1e-9);
-  EXPECT_EQ(load.concentration(), (Concentrations{1, 0.5, 4}));
+  const Concentrations ink = load.concentration();
+  EXPECT_NEAR(ink[0], 1, 1e-9);
+  EXPECT_NEAR(ink[1], 0.5, 1e-9);
+  EXPECT_NEAR(ink[2], 4, 1e-9);
   EXPECT_EQ(dipped(1e-6, 2, {}, {}), dipped(1e-6, 1, {}, {}));
   EXPECT_EQ(dipped(1e-6, -1, {}, {}).tip.water, 0);
   EXPECT_EQ(dipped(1, 1, {}, {}), dipped(1e-5, 1, {}, {}));
