@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -191,6 +192,71 @@ TEST(Model, AStandIsMadeForThePlate) {
   EXPECT_GT(solid_of(folder / "wide.stl").size[0], solid_of(folder / "feet.stl").size[0] + 5);
   expect_one_line(nazori_cli({"model", "一", "-o", folder / "a.pdf", "--stand", folder / "b.stl"}), 2,
                   {"--stand", ".stl or .3mf"});
+}
+
+TEST(Model, ForPeopleHasTheMeasuresOfTheJson) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"model", "一", "--size-mm", "30", "--output", folder / name};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome run = nazori_cli(words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    words.emplace_back("--json");
+    return std::pair(run.out, nlohmann::json::parse(nazori_cli(words).out));
+  };
+  const auto number = [](const nlohmann::json& value, const char* form) {
+    std::array<char, 32> text{};
+    (void)std::snprintf(text.data(), text.size(), form, value.get<double>());
+    return std::string(text.data());
+  };
+  const auto size = [&](const nlohmann::json& made) {
+    return number(made["width_mm"], "%.4g") + " x " + number(made["height_mm"], "%.4g");
+  };
+  const auto [solid, measures] = told("a.stl", {});
+  EXPECT_EQ(solid, "一  " + (folder / "a.stl") + "  " + size(measures) + " x 6 mm, " +
+                       measures["triangles"].dump() + " triangles within " +
+                       number(measures["error_mm"], "%.3f") + " mm\n");
+  EXPECT_NEAR(measures["width_mm"].get<double>(), 42, 0.1);
+  const auto [mill, milling] = told("a.nc", {});
+  EXPECT_EQ(mill.find("一  " + (folder / "a.nc") + "  " + size(milling) + " mm, " + milling["passes"].dump() +
+                      " passes down to " + number(milling["deepest_mm"], "%.2f") + " mm, "),
+            0U)
+      << mill;
+  EXPECT_THAT(mill, testing::ContainsRegex(" mm, [0-9]+\\.[0-9] m in about [0-9]+ min\n$"));
+  const auto [laser, cut] = told("a.svg", {});
+  EXPECT_EQ(laser, "一  " + (folder / "a.svg") + "  " + size(cut) + " mm\n");
+  EXPECT_EQ(told("a.brf", {}).second["kind"], "embosser");
+  EXPECT_EQ(told("a.pdf", {}).first, "一  " + (folder / "a.pdf") + "  210 x 297 mm\n");
+}
+
+TEST(Model, NumbersThatFindNoRoomAreNamed) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      nazori_cli({"model", "鬱", "--raised", "--size-mm", "40", "--output", folder / "a.stl"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              testing::ContainsRegex("\nno room for the numbers of strokes [0-9]+(, [0-9]+)*: a larger "
+                                     "--size-mm has more\n$"));
+  EXPECT_THAT(nazori_cli({"model", "一", "--raised", "--output", folder / "b.stl"}).out,
+              testing::Not(HasSubstr("no room")));
+}
+
+TEST(Model, AStandStaysOutOfJsonAndOfStandardOutput) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> model{"model",          "一",     "--size-mm", "60", "--output",
+                                       folder / "a.stl", "--stand"};
+  const auto run = [&](const std::string& stand, const std::vector<std::string>& more) {
+    auto words = model;
+    words.push_back(stand);
+    words.insert(words.end(), more.begin(), more.end());
+    return nazori_cli(words);
+  };
+  EXPECT_TRUE(nlohmann::json::parse(run(folder / "f.stl", {"--json"}).out).is_object());
+  EXPECT_THAT(run(folder / "f.stl", {}).out,
+              testing::ContainsRegex("\nstand  .*/f.stl  two feet, leaning [0-9.]+ degrees\n$"));
+  expect_one_line(run("-", {}), 2, {"--stand", "a stand does not go to standard output"});
+  expect_one_line(run(folder / "a.stl", {}), 2, {"is the same file as"});
+  expect_one_line(run(folder / "f.pdf", {}), 2, {"--stand", ".stl or .3mf"});
 }
 
 TEST(Model, TabletsStandInRows) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -153,6 +154,51 @@ TEST(Paint, ThirtyPicturesASecondGoToTheFolder) {
       painted(folder, write(folder / "line.csv", line_csv(1)), {"--frames", folder / "frames"});
   EXPECT_NEAR(answer["frames"].get<double>(), 30, 1);
   EXPECT_TRUE(std::filesystem::exists(folder / "frames/00001.png"));
+}
+
+TEST(Paint, ForPeopleNamesPaperTimeAndArea) {
+  const TemporaryFolder folder;
+  const std::string script = write(folder / "line.csv", line_csv(1.5));
+  const auto answer = painted(folder, script, {"--paper", "board"});
+  EXPECT_EQ(answer["paper"], "board");
+  EXPECT_EQ(answer["brush"], "mixed");
+  EXPECT_EQ(answer["size"], 256);
+  EXPECT_EQ(answer["frames"], 0);
+  const Outcome run = nazori_cli(
+      {"paint", script, "--output", folder / "p.png", "--cells", "256", "--after", "0", "--paper", "board"});
+  const auto area = std::lround(answer["painted_mm2"].get<double>());
+  EXPECT_EQ(run.out, folder / "p.png" + "  " + script + " on board, 1.5 s, " + std::to_string(area) +
+                         " mm² painted\n");
+}
+
+TEST(Paint, TheModelIsNotAmongTheStrokesThatAreSaved) {
+  const TemporaryFolder folder;
+  const std::string script =
+      write(folder / "w.json", R"({"char":"二","strokes":[[[0.1,0.3],[0.9,0.3]],[[0.1,0.7],[0.9,0.7]]]})");
+  const auto strokes = [&](const std::string& file, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"paint",   file,  "--output", folder / "s.svg",
+                                   "--cells", "256", "--after",  "0"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(nazori_cli(words).code, 0);
+    const auto bytes = bytes_of(folder / "s.svg");
+    return std::string(bytes.begin(), bytes.end());
+  };
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--model"}}) {
+    const std::string svg = strokes(script, more);
+    EXPECT_THAT(svg, HasSubstr("id=\"stroke-2\""));
+    EXPECT_THAT(svg, testing::Not(HasSubstr("id=\"stroke-3\"")));
+  }
+  // Where nothing is written, they are those of the model.
+  const std::string model = strokes(write(folder / "m.json", R"({"char":"三","strokes":[]})"), {"--model"});
+  EXPECT_THAT(model, HasSubstr("id=\"stroke-3\""));
+  EXPECT_THAT(model, testing::Not(HasSubstr("id=\"stroke-4\"")));
+}
+
+TEST(Paint, AWritingOfTenMinutesIsTheLongest) {
+  const TemporaryFolder folder;
+  const Outcome run = nazori_cli({"paint", write(folder / "a.csv", "t,x,y,z\n1,0,0,0.01\n601,0,0,0.01\n"),
+                                  "--output", folder / "p.png", "--cells", "128", "--after", "0"});
+  EXPECT_EQ(run.code, 0) << run.err;
 }
 
 TEST(Paint, TheSameScriptGivesTheSameBytes) {

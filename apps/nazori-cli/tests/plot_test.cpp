@@ -146,6 +146,75 @@ TEST(Plot, JsonHasTheListAndEachOfItsCurves) {
   EXPECT_EQ(document["tables"][1][1][1], 2.0);
 }
 
+TEST(Plot, AParameterIsSetByItsLetter) {
+  EXPECT_THAT(nazori_cli({"plot", "y = a x; a = 2", "--set", "a=1.5", "--size", "32"}).out,
+              testing::StartsWith("y = a*x; a = 1.5\n"));
+  EXPECT_THAT(
+      nazori_cli({"plot", "y = a x + b; a = 2; b = 1", "--set", "a=3", "--set", "b=-4", "--size", "32"}).out,
+      testing::StartsWith("y = a*x + b; a = 3; b = -4\n"));
+  for (const char* bad : {"a", "a=", "a=1x", "a=x", "c=1", "=1"})
+    expect_one_line(nazori_cli({"plot", "y = a x; a = 2", "--set", bad}), 2,
+                    {"--set", "\"" + std::string(bad) + "\" sets no parameter"});
+  EXPECT_THAT(nazori_cli({"plot", "y = foo(x)", "--set", "a=1"}).err, HasSubstr("column 5"));
+}
+
+TEST(Plot, ATableHasARowForEachStepAndSaysWhereThereIsNothing) {
+  const Outcome run = nazori_cli({"plot", "y = 1/x; y = 2", "--size", "32", "--table=-1,1,0.5"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::EndsWith("\ny = 1/x\n  -1\t-1\n  -0.5\t-2\n  0\tundefined\n  0.5\t2\n  1\t1\n"
+                                         "y = 2\n  -1\t2\n  -0.5\t2\n  0\t2\n  0.5\t2\n  1\t2\n"));
+  EXPECT_THAT(nazori_cli({"plot", "y = 2", "--size", "32"}).out, testing::Not(HasSubstr("\t")));
+  expect_one_line(nazori_cli({"plot", "y = x", "--size", "32", "--table=0,1,0"}), 2, {"--table"});
+}
+
+TEST(Plot, SpeaksAsMuchAndInTheLanguageAsAskedFor) {
+  const auto told = [](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"plot", "y = (x + 1)/(x - 1)", "--size", "32"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome run = nazori_cli(words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.out;
+  };
+  const std::string verbose = told({}), brief = told({"--speech", "brief"}),
+                    superbrief = told({"--speech", "superbrief"});
+  EXPECT_EQ(told({"--speech", "verbose"}), verbose);
+  EXPECT_GT(verbose.size(), brief.size());
+  EXPECT_GT(brief.size(), superbrief.size());
+  EXPECT_THAT(told({"--language", "ja"}), HasSubstr("分"));
+  EXPECT_EQ(told({"--language", "en"}), verbose);
+  EXPECT_EQ(std::count(verbose.begin(), verbose.end(), '\n'), 2);
+  EXPECT_GT(told({"--points"}).size(), verbose.size());
+  const std::string nemeth = told({"--braille", "nemeth"}), ueb = told({"--braille", "ueb"});
+  EXPECT_NE(nemeth, ueb);
+  EXPECT_TRUE(nemeth.starts_with(verbose));
+  EXPECT_TRUE(ueb.starts_with(verbose));
+  const auto json = nlohmann::json::parse(told({"--json", "--speech", "brief", "--language", "ja"}));
+  EXPECT_THAT(json["words"].get<std::string>(), HasSubstr("分"));
+  EXPECT_FALSE(json.contains("tables"));
+}
+
+TEST(Plot, ARawIsTheSamePlateInEightBits) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(nazori_cli({"plot", "y = x", "--size", "64", "-o", folder / "a.raw"}).code, 0);
+  ASSERT_EQ(nazori_cli({"plot", "y = x", "--size", "64", "-o", folder / "a.png"}).code, 0);
+  const auto raw = bytes_of(folder / "a.raw");
+  ASSERT_EQ(raw.size(), 64U * 64);
+  const auto png = surface::load_png(folder / "a.png");
+  ASSERT_TRUE(png);
+  for (std::size_t i = 0; i < raw.size(); ++i) ASSERT_NEAR(raw[i] / 255.0, png->samples()[i], 0.51 / 255);
+}
+
+TEST(Plot, ASurfaceHasNeitherSoundNorLines) {
+  const TemporaryFolder folder;
+  expect_one_line(nazori_cli({"plot", "z = x", "--sound", folder / "a.wav"}), 2,
+                  {"--sound: a surface has no sound", "give a curve"});
+  expect_one_line(nazori_cli({"plot", "z = x", "--print", folder / "a.png"}), 2,
+                  {"--print: a surface has no lines to print"});
+  expect_one_line(nazori_cli({"plot", "z = x", "--model", folder / "a.brf"}), 2,
+                  {"--model: a surface has no lines for paper"});
+  EXPECT_THAT(folder.names(), IsEmpty());
+}
+
 TEST(Plot, RefusesAnEmptyWindow) {
   const Outcome run = nazori_cli({"plot", "y = x", "--window=2,1,0,1"});
   EXPECT_EQ(run.code, 2);

@@ -86,6 +86,49 @@ TEST_F(Record, TellsThatAFileBreaksOff) {
               HasSubstr("1000 ticks, the recording is incomplete"));
 }
 
+TEST_F(Record, TellsPeopleWhereAndOnWhatItWasMadeAndHowTheClockKept) {
+  EXPECT_EQ(info("a.nzr")["late_ticks"], 0);
+  const Outcome run = nazori_cli({"record", "info", folder_ / "a.nzr"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.out.starts_with(folder_ / "a.nzr" + "  complete\nstart    20")) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("\ndevice   Touch / PHANTOM Omni (simulated), 1000 Hz\n"
+                                 "tablet   一, 100.0 mm wide, 10.0 mm deep\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nclock    0 ticks late, at most 0.000 ms\n"
+                                 "lost     0 while recording, 0 damaged\n"));
+  const auto ticks = demo_["samples"]["ticks"].get<int>();
+  EXPECT_THAT(run.out, HasSubstr("\nticks    " + std::to_string(ticks) + " in "));
+  EXPECT_THAT(run.out, HasSubstr(" s at 1000 Hz, "));
+  const Outcome table = nazori_cli({"record", "export", folder_ / "a.nzr", "--output", folder_ / "a.csv"});
+  EXPECT_EQ(table.out, folder_ / "a.csv" + "  " + std::to_string(ticks) + " ticks\n");
+}
+
+TEST_F(Record, ADamagedTickIsLeftOutAndCountedAndTheNextIsLate) {
+  auto bytes = bytes_of(folder_ / "a.nzr");
+  ASSERT_GT(bytes.size(), 512U + 600 * 152);
+  bytes[512 + 500 * 152 + 40] ^= 0x55;  // in the 501st tick
+  write(folder_ / "bad.nzr", {bytes.begin(), bytes.end()});
+  const int ticks = demo_["samples"]["ticks"].get<int>() - 1;
+  const Json got = info("bad.nzr");
+  EXPECT_EQ(got["damaged"], 1);
+  EXPECT_EQ(got["gaps"], 1);
+  EXPECT_EQ(got["late_ticks"], 1);
+  EXPECT_EQ(got["ticks"], ticks);
+  const std::string text = nazori_cli({"record", "info", folder_ / "bad.nzr"}).out;
+  EXPECT_THAT(text, HasSubstr("\nclock    1 tick late, at most "));
+  EXPECT_THAT(text, HasSubstr("\nlost     0 while recording, 1 damaged\n"));
+  EXPECT_EQ(nazori_cli({"record", "export", folder_ / "bad.nzr", "--output", folder_ / "b.csv"}).out,
+            folder_ / "b.csv" + "  " + std::to_string(ticks) + " ticks, 1 damaged ticks skipped\n");
+}
+
+TEST_F(Record, ABallAtTheTipIsTold) {
+  ASSERT_EQ(nazori_cli({"demo", "一", "--tip-radius-mm", "1.5", "--size", "64", "--output", folder_ / "b.png",
+                        "--record", folder_ / "b.nzr"})
+                .code,
+            0);
+  EXPECT_THAT(nazori_cli({"record", "info", folder_ / "b.nzr"}).out,
+              HasSubstr("10.0 mm deep, felt by a ball of 1.5 mm\n"));
+}
+
 TEST_F(Record, EveryMistakeIsOneLine) {
   write(folder_ / "no.nzr", "not a recording");
   expect_one_line(nazori_cli({"record", "info", folder_ / "no.nzr"}), 2, {"no.nzr", "not a recording"});

@@ -260,6 +260,9 @@ TEST_F(Gl, ACanvasResolvesTheBoxAskedAndShowsAll) {
   GLint quick = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &quick);
   EXPECT_EQ(bound, quick) << "the resolved picture is drawn on";
+  canvas.resolve({2, 1, 3, 4});
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+  EXPECT_EQ(bound, quick) << "and read";
   EXPECT_TRUE(canvas.resize(8, 6)) << "the same size keeps the pixels";
   canvas.show(static_cast<GLuint>(screen));
   glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -45,6 +46,97 @@ geometry::WrittenStroke<geometry::TabletFrame> written(const std::vector<double>
   for (const double speed : speeds)
     stroke.push_back({{stroke.back().at.x + kStep_m, 0}, *stroke.back().time_s + kStep_m / speed, pressure});
   return stroke;
+}
+
+TEST(InkedStroke, AWidthIsFromFourTenthsToTwoMillimetresAndThreeFifthsMoreOnItsSide) {
+  EXPECT_NEAR(ink_half_width_m({{0, 0}, {}, 0.0}), 0.0004, 1e-12);
+  EXPECT_NEAR(ink_half_width_m({{0, 0}, {}, 1.0}), 0.0020, 1e-12);
+  EXPECT_NEAR(ink_half_width_m({{0, 0}, {}, 0.25}), 0.0008, 1e-12);
+  EXPECT_NEAR(ink_half_width_m({{0, 0}, {}, 0.25, std::numbers::pi / 2}), 0.0008 * 1.6, 1e-12);
+  EXPECT_NEAR(ink_half_width_m({{0, 0}, {}, 0.25, std::numbers::pi / 6}), 0.0008 * 1.3, 1e-12);
+}
+
+TEST(InkedStroke, OneWidthForAllComesBeforeThoseOfThePointsAndThoseBeforeThePress) {
+  InkedStroke stroke;
+  stroke.points = {{{0, 0}, {}, 0.0}, {{0.01, 0}, {}, 1.0}};
+  EXPECT_NEAR(stroke.half_width_at(0), 0.0004, 1e-12);
+  EXPECT_NEAR(stroke.half_width_at(1), 0.0020, 1e-12);
+  stroke.half_widths_m = {0.005};
+  EXPECT_EQ(stroke.half_width_at(0), 0.005);
+  EXPECT_NEAR(stroke.half_width_at(1), 0.0020, 1e-12) << "there is none for it";
+  stroke.half_width_m = 0.007;
+  EXPECT_EQ(stroke.half_width_at(0), 0.007);
+  EXPECT_EQ(stroke.half_width_at(1), 0.007);
+}
+
+/// Half of 1.8 mm, and 0.55 of the pressed width.
+constexpr double half_brush(double pressed_m) { return 0.0009 + 0.55 * pressed_m; }
+
+TEST(InkedStroke, WithoutTimesTheBrushOpensOverTwoAndAHalfMillimetresFromThreeFifths) {
+  geometry::WrittenStroke<geometry::TabletFrame> stroke;
+  for (int i = 0; i <= 8; ++i) stroke.push_back({{0.0005 * i, 0}, {}, 0.5});
+  const auto drawn = inked(stroke, Verdict::none);
+  ASSERT_EQ(drawn.half_widths_m.size(), 9U);
+  // A hand of the mean speed: 1.12 less 0.17 times 0.7.
+  constexpr double kUsual = 1.12 - 0.17 * 0.7;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const double opened = std::min(1.0, 0.6 + 0.4 * static_cast<double>(i) / 5);
+    EXPECT_NEAR(drawn.half_widths_m[i], kUsual * opened * half_brush(0.0012), 1e-12) << i;
+  }
+}
+
+TEST(InkedStroke, TheWidthFollowsTheSpeedOnSixMillimetresWithinItsBounds) {
+  // First slowly, then twenty times as fast.
+  std::vector<double> speeds(30, 0.02);
+  speeds.resize(90, 0.4);
+  const auto stroke = written(speeds);
+  const auto drawn = inked(stroke, Verdict::none, false);
+  const double mean = 0.09 / (*stroke.back().time_s - *stroke.front().time_s);
+  double speed = 1;
+  for (std::size_t i = 0; i <= 90; ++i) {
+    if (i > 0) speed += (1 - std::exp(-1.0 / 6)) * (std::min(speeds[i - 1] / mean, 3.0) - speed);
+    const double width = std::clamp(1.12 - 0.17 * (speed - 0.3), 0.78, 1.12);
+    const double opened = std::min(1.0, 0.6 + 0.4 * static_cast<double>(i) / 2.5);
+    EXPECT_NEAR(drawn.half_widths_m[i], width * opened * half_brush(0.0012), 1e-9) << i;
+  }
+  EXPECT_NEAR(drawn.half_widths_m[90], 0.78 * half_brush(0.0012), 2e-5) << "no thinner";
+  // A rest in the middle makes a stroke as broad as it can be.
+  auto rested = written(std::vector<double>(60, 0.05));
+  for (std::size_t i = 30; i < rested.size(); ++i) *rested[i].time_s += 1000;
+  EXPECT_NEAR(inked(rested, Verdict::none, false).half_widths_m[20], 0.78 * half_brush(0.0012), 1e-4);
+}
+
+TEST(InkedStroke, ASweepThinsOutOnTheLastThirdOrTwelveMillimetresToAnEighth) {
+  for (const int length_mm : {20, 80}) {
+    const auto drawn =
+        inked(written(std::vector<double>(static_cast<std::size_t>(length_mm), 0.05)), Verdict::none);
+    const double sweep_mm = std::min(0.35 * length_mm, 12.0);
+    constexpr double kUsual = 1.12 - 0.17 * 0.7;
+    for (int i = 3; i <= length_mm; ++i) {
+      const double left_mm = length_mm - i;
+      const double thinned = left_mm < sweep_mm ? 0.12 + 0.88 * left_mm / sweep_mm : 1;
+      EXPECT_NEAR(drawn.half_widths_m[static_cast<std::size_t>(i)], kUsual * thinned * half_brush(0.0012),
+                  1e-8)
+          << length_mm << ' ' << i;
+    }
+  }
+}
+
+TEST(InkedStroke, IsSweptWhereTheLastSixHundredthsOfASecondAreFasterThanThreeFifthsOfTheMean) {
+  const auto is_swept = [](double end_speed) {
+    std::vector<double> speeds(60, 0.05);
+    // 0.06 s at the end, and the mean hardly changed.
+    speeds.resize(60 + static_cast<std::size_t>(std::lround(0.06 * end_speed / 0.001)), end_speed);
+    const auto stroke = written(speeds);
+    return inked(stroke, Verdict::none).half_widths_m.back() < 0.0006;
+  };
+  EXPECT_TRUE(is_swept(0.05));
+  EXPECT_TRUE(is_swept(0.0334));
+  EXPECT_FALSE(is_swept(0.0167));
+  // One that was written in no time is not.
+  auto still = written(std::vector<double>(10, 0.05));
+  for (auto& point : still) point.time_s = 1;
+  EXPECT_GT(inked(still, Verdict::none).half_widths_m.back(), 0.001);
 }
 
 TEST(InkedStroke, OpensWhereTheBrushComesDownAndIsThinnerWhereTheHandIsFast) {

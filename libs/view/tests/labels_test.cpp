@@ -61,6 +61,84 @@ TEST_F(Labels, StandOnTheirSideOfTheirPoint) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(glm::length(middle(i) - seen(labels[i])), 25) << i;
 }
 
+TEST_F(Labels, KeepAGapOfFivePixelsOfTheScreenFromTheirPoint) {
+  for (const double scale : {1.0, 2.0}) {
+    studio_.view->set_labels({{"25", {0, 0}, 1, 0}, {"25", {0, -0.02}, 0, -1}, {"25", {0, 0.02}, 0, 0}});
+    (void)studio_.shoot({}, scale);
+    ASSERT_EQ(places().size(), 3U);
+    const auto at = [this](double y) { return studio_.view->project({0, y, 0}, kSide, kSide); };
+    EXPECT_NEAR(places()[0].low.x - at(0).x, 5 * scale, 1);
+    EXPECT_NEAR((places()[0].low.y + places()[0].high.y) / 2, at(0).y, 1);
+    EXPECT_NEAR(places()[1].low.y - at(-0.02).y, 5 * scale, 1);
+    EXPECT_NEAR((places()[1].low.x + places()[1].high.x) / 2, at(-0.02).x, 1);
+    // Without a side it stands on its point.
+    const glm::dvec2 middle = (places()[2].low + places()[2].high) / 2.0;
+    EXPECT_NEAR(middle.x, at(0.02).x, 1);
+    EXPECT_NEAR(middle.y, at(0.02).y, 1);
+    // Digits of nine pixels, with an edge of two around them.
+    EXPECT_NEAR(places()[0].high.y - places()[0].low.y, 13 * scale, 2 * scale);
+    for (const LabelPlace& place : places()) {
+      EXPECT_EQ(place.low, glm::floor(place.low)) << "texels fall on pixels";
+    }
+  }
+}
+
+TEST_F(Labels, HaveTheColoursOfNumbersInEachLook) {
+  for (const Style style : {Style::wood, Style::slate, Style::classic}) {
+    studio_.view->set_style(style);
+    const Picture bare = shoot({});
+    const Picture lettered = shoot({{"8", {0, 0}, 0, -1}}, 4);
+    const Palette& colours = palette(style, Theme::light);
+    const auto near = [](fixtures::Rgb a, Colour b) {
+      const auto apart = [](int level, float share) { return std::abs(level - std::lround(255 * share)); };
+      return apart(a.red, b.r) + apart(a.green, b.g) + apart(a.blue, b.b) < 12;
+    };
+    int inks = 0, grounds = 0;
+    for (double y = places()[0].low.y; y < places()[0].high.y; ++y)
+      for (double x = places()[0].low.x; x < places()[0].high.x; ++x) {
+        const auto there = pixel(lettered, {x, y});
+        inks += near(there, colours.number) ? 1 : 0;
+        grounds += near(there, colours.disc) && fixtures::difference(there, pixel(bare, {x, y})) > 0 ? 1 : 0;
+      }
+    EXPECT_GT(inks, 60) << static_cast<int>(style);
+    EXPECT_GT(grounds + (style == Style::classic ? 20 : 0), 10) << static_cast<int>(style);
+  }
+}
+
+TEST_F(Labels, MayTouchTheBorderOfThePictureAndEachOther) {
+  // The box of a label is moved until it leaves the picture.
+  shoot({{"7", {0, 0}, 0, 0}});
+  const glm::dvec2 size = places()[0].high - places()[0].low;
+  const auto shown_at = [&](glm::dvec2 middle) {
+    const auto at = studio_.view->pick(middle, kSide, kSide);
+    studio_.view->set_labels({{"7", *at, 0, 0}});
+    (void)studio_.shoot();
+    return places().size() == 1;
+  };
+  const glm::dvec2 half = size / 2.0;
+  EXPECT_TRUE(shown_at(half + glm::dvec2(0.5, 100)));
+  EXPECT_FALSE(shown_at(half + glm::dvec2(-0.5, 100)));
+  EXPECT_TRUE(shown_at({kSide - half.x + 0.5, 100}));
+  EXPECT_FALSE(shown_at({kSide - half.x + 1.5, 100}));
+  EXPECT_TRUE(shown_at({100, half.y + 0.5}));
+  EXPECT_FALSE(shown_at({100, half.y - 0.5}));
+  EXPECT_TRUE(shown_at({100, kSide - half.y + 0.5}));
+  EXPECT_FALSE(shown_at({100, kSide - half.y + 1.5}));
+  const auto both = [&](double apart_x, double apart_y) {
+    const auto one = studio_.view->pick({200.5, 200.5}, kSide, kSide);
+    const auto other = studio_.view->pick({200.5 + apart_x, 200.5 + apart_y}, kSide, kSide);
+    studio_.view->set_labels({{"7", *one, 0, 0}, {"7", *other, 0, 0}});
+    (void)studio_.shoot();
+    return places().size() == 2;
+  };
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_TRUE(both(side * size.x, 0));
+    EXPECT_FALSE(both(side * (size.x - 1), 0));
+    EXPECT_TRUE(both(0, side * size.y));
+    EXPECT_FALSE(both(0, side * (size.y - 1)));
+  }
+}
+
 TEST_F(Labels, AreDrawnInTheirBoxAndNowhereElse) {
   const Picture bare = shoot({});
   const Picture lettered = shoot({{"-12.5", {0, 0}, 0, -1}});

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -63,6 +65,53 @@ TEST(OffscreenContext, RefusesSizesThatNoPictureHas) {
   }
 }
 
+TEST(OffscreenContext, TheGreatestSideCanBeDrawnAndOneMoreIsRefused) {
+  for (const auto& [width, height] : {std::pair{16385, 1}, {1, 16385}, {0, 1}, {1, 0}})
+    EXPECT_FALSE(OffscreenContext::create(width, height)) << width << " x " << height;
+  for (const auto& [width, height] : {std::pair{16384, 1}, {1, 16384}, {1, 1}})
+    EXPECT_TRUE(OffscreenContext::create(width, height)) << width << " x " << height;
+  const auto refused = OffscreenContext::create(20000, 3);
+  EXPECT_EQ(refused.error().what, "a picture of 20000 x 3 pixels cannot be drawn");
+  EXPECT_EQ(refused.error().remedy, "give 1 to 16384 pixels a side");
+}
+
+/// Ends the program with 0 where a context is refused with these words.
+[[noreturn]] void end_as_refused(const char* words) {
+  const auto context = OffscreenContext::create(16, 16);
+  const bool is_refused = !context && context.error().code == base::Errc::device &&
+                          context.error().what.find(words) != std::string::npos &&
+                          context.error().remedy.find("libegl1") != std::string::npos;
+  if (!is_refused) std::fprintf(stderr, "%s\n", context ? "made" : base::to_line(context.error()).c_str());
+  std::exit(is_refused ? 0 : 1);
+}
+
+TEST(OffscreenContextDeathTest, WithoutADriverItSaysThatEglCannotDrawWithoutAScreen) {
+  // A program of its own, in which EGL has not been asked yet.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere/egl.json", 1);
+        end_as_refused("EGL here cannot draw without a screen");
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST(OffscreenContext, ReadsIntoMemoryWhateverWasSetForReading) {
+  const auto context = OffscreenContext::create(5, 4).value();
+  glClearColor(1, 0, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  const Picture clean = context->read();
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 8);
+  glPixelStorei(GL_PACK_ROW_LENGTH, 2);
+  EXPECT_EQ(context->read().rgba, clean.rgba);
+  glDeleteBuffers(1, &buffer);
+  ASSERT_EQ(clean.rgba.size(), 80U);
+  for (std::size_t i = 0; i < 80; ++i) EXPECT_EQ(clean.rgba[i], i % 4 == 1 ? 0 : 255);
+}
+
 TEST(OffscreenContext, CanBeMadeManyTimesAndTwoAtOnce) {
   for (int i = 0; i < 3; ++i) {
     auto first = OffscreenContext::create(16, 16);
@@ -107,6 +156,35 @@ TEST(PicturePng, RefusesPicturesWithoutPixelsAndFilesThatAreNotPng) {
   EXPECT_EQ(load_picture_png(path).error().code, base::Errc::parse);
   std::filesystem::remove(path);
   EXPECT_EQ(load_picture_png(path).error().code, base::Errc::not_found);
+}
+
+TEST(PicturePng, RefusesAPictureThatHasNoSideOrAnotherNumberOfPixels) {
+  for (const Picture& picture :
+       {Picture{0, 2, {}}, Picture{2, 0, {}}, Picture{1, 1, {1, 2, 3}}, Picture{1, 1, {1, 2, 3, 4, 5}}}) {
+    const auto saved = save_png(picture, scratch("none.png"));
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().what, "the picture has no pixels or too few");
+  }
+  EXPECT_TRUE(save_png(Picture{1, 1, {1, 2, 3, 4}}, scratch("one.png")));
+  EXPECT_EQ(load_picture_png(scratch("one.png"))->rgba, (std::vector<std::uint8_t>{1, 2, 3, 255}))
+      << "a picture of the view is opaque";
+  std::filesystem::remove(scratch("one.png"));
+}
+
+TEST(PicturePng, ASideOf16384PixelsIsTheLongestThatIsRead) {
+  for (const int side : {16384, 16385}) {
+    const auto path = scratch("long.png");
+    ASSERT_TRUE(
+        save_png(Picture{side, 1, std::vector<std::uint8_t>(static_cast<std::size_t>(side) * 4, 9)}, path));
+    const auto wide = load_picture_png(path);
+    ASSERT_TRUE(
+        save_png(Picture{1, side, std::vector<std::uint8_t>(static_cast<std::size_t>(side) * 4, 9)}, path));
+    const auto high = load_picture_png(path);
+    EXPECT_EQ(wide.has_value(), side == 16384);
+    EXPECT_EQ(high.has_value(), side == 16384);
+    EXPECT_TRUE(wide || wide.error().what == "the picture has 16385 x 1 pixels");
+    std::filesystem::remove(path);
+  }
 }
 
 TEST(PicturePng, RefusesADamagedFile) {
