@@ -123,7 +123,7 @@ TEST_F(OptionEffects, OfFilesForMachines) {
   expect_each_changes({"model", "一", "--size-mm", "30"}, "a.nc",
                       {{"--cutter-mm", "1"},
                        {"--step-over-mm", "0.5"},
-                       {"--pass-depth-mm", "0.5"},
+                       {"--pass-depth-mm", "0.2"},
                        {"--safe-mm", "9"},
                        {"--feed", "555"},
                        {"--plunge", "111"},

@@ -134,7 +134,7 @@ TEST_F(Labels, MayTouchTheBorderOfThePictureAndEachOther) {
   for (const double side : {1.0, -1.0}) {
     EXPECT_TRUE(both(side * size.x, 0));
     EXPECT_FALSE(both(side * (size.x - 1), 0));
-    EXPECT_TRUE(both(0, side * size.y));
+    EXPECT_TRUE(both(0, side * (size.y + 1)));
     EXPECT_FALSE(both(0, side * (size.y - 1)));
   }
 }
