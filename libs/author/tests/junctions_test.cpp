@@ -227,7 +227,7 @@ TEST(Joined, WithoutALineThroughItEndsNearTheMiddle) {
 
 TEST(Joined, AMeetingFarBehindTheArmOrAheadIsNone) {
   // An arm down that begins this far below the line that goes through.
-  constexpr GridPoint kBeside{256, 251};
+  static constexpr GridPoint kBeside{256, 251};
   const auto end_with = [](double gap) {
     Arms arms;
     arms.junctions.push_back({kBeside, 10});
