@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "../src/inside.h"
 #include "../tests/sheet_under_test.h"
 #include "nazori/paint/history.h"
 #include "nazori/paint/relief.h"
@@ -74,22 +73,6 @@ BENCHMARK(BM_StepOfAFullSheet)
     ->Args({1024, 2})
     ->Iterations(100)
     ->Unit(benchmark::kMillisecond);
-
-/// One tile of the same, 0 for every processor and 1 for one with AVX2.
-void BM_StepOfATile(benchmark::State& state) {
-  if (state.range(0) == 1 && !has_avx2()) return state.SkipWithError("this processor has no AVX2");
-  const auto step = state.range(0) == 1 ? step_tile_avx2 : step_tile_plain;
-  const StepRules rules = sheet_of(128, find_paper("gasenshi").value()).inside().rules;
-  Tile tile;
-  for (std::size_t i = 0; i < kCells; ++i) {
-    tile.fibre[i] = (i / 4 + i / (4 * kTile)) % 2 == 0 ? kOne : kOne / 3;
-    tile.moving[0][i] = kOne / 3;
-  }
-  tile.slots = 1;
-  const std::array<const Edge*, 4> none{};
-  for (auto _ : state) benchmark::DoNotOptimize(step(rules, tile, none));
-}
-BENCHMARK(BM_StepOfATile)->Arg(0)->Arg(1)->Iterations(2000)->Unit(benchmark::kMicrosecond);
 
 /// 400 bristles over a patch of 9 mm, moved by 0.5 mm: 120 mm/s at 240 events a second.
 void BM_DepositOfAnEvent(benchmark::State& state) {

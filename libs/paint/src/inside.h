@@ -107,13 +107,6 @@ void publish_edges(Tile& tile);
 /// @return whether anything changed.
 [[nodiscard]] bool step_tile(const StepRules& rules, Tile& tile,
                              const std::array<const Edge*, 4>& neighbours);
-/// The same for every processor, and for one that has_avx2(). Both compute the same bits: no sum is reordered
-/// or contracted.
-[[nodiscard]] bool step_tile_plain(const StepRules& rules, Tile& tile,
-                                   const std::array<const Edge*, 4>& neighbours);
-[[nodiscard]] bool step_tile_avx2(const StepRules& rules, Tile& tile,
-                                  const std::array<const Edge*, 4>& neighbours);
-[[nodiscard]] bool has_avx2();
 
 /// Height and density of every cell of a sheet, each equally distributed over 0..65535, row by row.
 struct Grain {

@@ -252,9 +252,16 @@ void move_pigment(const StepRules& rules, const Rows& rows, Tile& tile, std::siz
   changes.any |= any;
 }
 
-// It is compiled once for every machine and once for those with AVX2, with all that it calls.
-[[gnu::always_inline]] inline bool step(const StepRules& rules, Tile& tile,
-                                        const std::array<const Edge*, 4>& neighbours) {
+}  // namespace
+
+void publish_edges(Tile& tile) {
+  publish(tile, left, 0, kTile);
+  publish(tile, right, kTile - 1, kTile);
+  publish(tile, top, 0, 1);
+  publish(tile, bottom, std::size_t{kTile} * (kTile - 1), 1);
+}
+
+bool step_tile(const StepRules& rules, Tile& tile, const std::array<const Edge*, 4>& neighbours) {
   std::uint8_t slots = tile.slots;
   for (const Edge* edge : neighbours) {
     if (edge == nullptr) continue;
@@ -287,38 +294,6 @@ void move_pigment(const StepRules& rules, const Rows& rows, Tile& tile, std::siz
   tile.slots = slots;
   tile.is_wet = changes.water != 0;
   return changes.any != 0;
-}
-
-}  // namespace
-
-void publish_edges(Tile& tile) {
-  publish(tile, left, 0, kTile);
-  publish(tile, right, kTile - 1, kTile);
-  publish(tile, top, 0, 1);
-  publish(tile, bottom, std::size_t{kTile} * (kTile - 1), 1);
-}
-
-[[gnu::flatten]] bool step_tile_plain(const StepRules& rules, Tile& tile,
-                                      const std::array<const Edge*, 4>& neighbours) {
-  return step(rules, tile, neighbours);
-}
-
-#if defined(__x86_64__)
-[[gnu::flatten, gnu::target("avx2")]] bool step_tile_avx2(const StepRules& rules, Tile& tile,
-                                                          const std::array<const Edge*, 4>& neighbours) {
-  return step(rules, tile, neighbours);
-}
-bool has_avx2() { return __builtin_cpu_supports("avx2") != 0; }
-#else
-bool step_tile_avx2(const StepRules& rules, Tile& tile, const std::array<const Edge*, 4>& neighbours) {
-  return step_tile_plain(rules, tile, neighbours);
-}
-bool has_avx2() { return false; }
-#endif
-
-bool step_tile(const StepRules& rules, Tile& tile, const std::array<const Edge*, 4>& neighbours) {
-  static const bool wide = has_avx2();
-  return wide ? step_tile_avx2(rules, tile, neighbours) : step_tile_plain(rules, tile, neighbours);
 }
 
 }  // namespace nazori::paint
