@@ -353,5 +353,23 @@ TEST(CharacterEditor, WhatIsOutOfItsLimitsIsNotTaken) {
   EXPECT_FALSE(CharacterEditor::create(cross(), 1));
 }
 
+TEST(CharacterEditor, ThePointsOfEveryStrokeCountTowardsTheirLimit) {
+  OwnCharacter character = cross();
+  character.facts.parts.clear();
+  character.strokes.clear();
+  for (std::size_t k = 0; k < kMostPointsInAll / kMostPoints; ++k) {
+    OwnStroke stroke;
+    for (std::size_t i = 0; i < kMostPoints; ++i)
+      stroke.points.push_back(
+          {{10 + 0.08 * static_cast<double>(i), 10 + 4 * static_cast<double>(k)}, 2, 0.5});
+    character.strokes.push_back(stroke);
+  }
+  CharacterEditor editor = editor_of(character);
+  // Both parts have the point at which a stroke is split.
+  EXPECT_EQ(place_of_error(editor.split_stroke(1, 500)), "strokes");
+  ASSERT_TRUE(editor.delete_point(0, 500));
+  EXPECT_TRUE(editor.split_stroke(1, 500));
+}
+
 }  // namespace
 }  // namespace nazori::author
