@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "study_program.h"
 
 namespace nazori::cli::test {
 namespace {
@@ -15,21 +15,14 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;
 
-class StudyFiles : public testing::Test {
+class StudyFiles : public StudyProgram {
  protected:
-  Outcome study(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
-    arguments.insert(arguments.begin(), "study");
-    for (const std::string& part :
-         {std::string("--learners"), folder_ / "learners", std::string("--now"), now})
-      arguments.push_back(part);
-    return nazori_cli(arguments, {"TZ=UTC"});
-  }
-  std::string said(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
+  std::string said(std::vector<std::string> arguments, const std::string& now = kFirst) {
     const Outcome run = study(std::move(arguments), now);
     EXPECT_EQ(run.code, 0) << run.err;
     return run.out;
   }
-  nlohmann::json answer(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
+  nlohmann::json answer(std::vector<std::string> arguments, const std::string& now = kFirst) {
     arguments.emplace_back("--json");
     return nlohmann::json::parse(said(std::move(arguments), now));
   }
@@ -37,7 +30,6 @@ class StudyFiles : public testing::Test {
     const auto bytes = bytes_of(folder_ / name);
     return {bytes.begin(), bytes.end()};
   }
-  TemporaryFolder folder_;
 };
 
 TEST_F(StudyFiles, AnExportIsNamedAndAnImportCounted) {

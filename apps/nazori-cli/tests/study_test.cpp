@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "study_program.h"
 
 namespace nazori::cli::test {
 namespace {
@@ -13,23 +13,14 @@ namespace {
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-/// A temporary learner with a clock that the test sets.
-class Study : public testing::Test {
+class Study : public StudyProgram {
  protected:
-  Outcome study(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
-    arguments.insert(arguments.begin(), "study");
-    for (const std::string& part :
-         {std::string("--learners"), folder_ / "learners", std::string("--now"), now})
-      arguments.push_back(part);
-    return nazori_cli(arguments, {"TZ=UTC"});
-  }
-  Json answer(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
+  Json answer(std::vector<std::string> arguments, const std::string& now = kFirst) {
     arguments.emplace_back("--json");
     const Outcome run = study(std::move(arguments), now);
     EXPECT_EQ(run.code, 0) << run.err;
     return Json::parse(run.out, nullptr, false);
   }
-  TemporaryFolder folder_;
 };
 
 TEST_F(Study, AWeekIsActedOutWithAMovedClock) {

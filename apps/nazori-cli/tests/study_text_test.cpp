@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "study_program.h"
 
 namespace nazori::cli::test {
 namespace {
@@ -16,17 +16,8 @@ using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
-const std::string kFirst = "2026-01-01T09:00:00Z";
-
-class StudyText : public testing::Test {
+class StudyText : public StudyProgram {
  protected:
-  Outcome study(std::vector<std::string> arguments, const std::string& now = kFirst) {
-    arguments.insert(arguments.begin(), "study");
-    for (const std::string& part :
-         {std::string("--learners"), folder_ / "learners", std::string("--now"), now})
-      arguments.push_back(part);
-    return nazori_cli(arguments, {"TZ=UTC"});
-  }
   std::string said(std::vector<std::string> arguments, const std::string& now = kFirst) {
     const Outcome run = study(std::move(arguments), now);
     EXPECT_EQ(run.code, 0) << run.err;
@@ -39,7 +30,6 @@ class StudyText : public testing::Test {
     ASSERT_EQ(study({"lists", "--import", folder_ / "few.txt", "--as", "few"}).code, 0);
     ASSERT_EQ(study({"settings", "new_lists=[\"list:few\"]", "new_order=own"}).code, 0);
   }
-  TemporaryFolder folder_;
 };
 
 TEST_F(StudyText, AReviewTellsTheRatingTheSuggestionAndWhenItComesBack) {

@@ -35,7 +35,7 @@ base::Result<OpenedCharacter> open_character(const std::filesystem::path& path) 
 template <class Work, class Done>
 void CharacterFiles::run(Work work, Done done) {
   if (!background_) background_.emplace("character files", inbox_);
-  ++waiting_;
+  ++asked_;
   // Tasks are copied; what is moved between the threads is therefore shared.
   const auto shared_work = std::make_shared<Work>(std::move(work));
   const auto shared_done = std::make_shared<Done>(std::move(done));
@@ -44,7 +44,7 @@ void CharacterFiles::run(Work work, Done done) {
     using Made = std::invoke_result_t<Work&>;
     const auto made = std::make_shared<Made>((*shared_work)());
     background->answer([this, made, shared_done] {
-      --waiting_;
+      ++answered_;
       (*shared_done)(std::move(*made));
     });
   });

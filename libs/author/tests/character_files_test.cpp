@@ -54,6 +54,20 @@ class FilesOnAnotherThread : public testing::Test {
   CharacterFiles files_{inbox_};
 };
 
+TEST_F(FilesOnAnotherThread, AnswerEachCallByItsNumber) {
+  EXPECT_EQ(files_.last_call(), 0U);
+  EXPECT_FALSE(files_.is_busy());
+  EXPECT_TRUE(files_.is_waiting_for(1)) << "of the call itself";
+  CharacterEditor saved = editor();
+  save(saved);
+  save(saved);
+  EXPECT_EQ(files_.last_call(), 2U);
+  inbox_.run_until([this] { return !files_.is_waiting_for(1); });
+  finish();
+  EXPECT_FALSE(files_.is_waiting_for(2));
+  EXPECT_TRUE(files_.is_waiting_for(3));
+}
+
 TEST_F(FilesOnAnotherThread, AreOpenedAsTheyWereSaved) {
   CharacterEditor saved = editor();
   ASSERT_TRUE(saved.move_point(0, 0, {20, 48}));

@@ -65,7 +65,7 @@ TEST(GrooveAlong, FindsWhereTheWallOfAGrooveEndsLevel) {
   map.is_groove = true;
   for (const double width : half_widths(groove_along(flat(100, 200, 200), map)))
     EXPECT_NEAR(width, 25.5, 0.08);
-  // Too shallow to have a depth of four times the limit: only the rim is known.
+  // Nowhere deeper than four times the limit, so only the rim is known.
   InkMap shallow = ink_with([](double, double y) { return 1 + 0.1 * (20.3 - std::abs(y - 200)); });
   shallow.is_groove = true;
   for (const double width : half_widths(groove_along(flat(100, 200, 200), shallow)))

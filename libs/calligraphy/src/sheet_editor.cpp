@@ -153,26 +153,23 @@ void SheetEditor::begin_stroke() {
   remember(Edit::stroke);
   ++board_.strokes;
   board_.written.emplace_back();
-  is_writing_ = true;
 }
 
 void SheetEditor::move_pen(brush::PenSample sample) {
   if (!is_finite(sample)) return;
   sample.time_s = std::max(sample.time_s, brush_.pen().time_s + kLeastTime_s);
   if (sample.pressure) sample.pressure = std::clamp(*sample.pressure, 0.0, 1.0);
-  if (sample.is_down() && !is_writing_) begin_stroke();
+  const bool was_down = brush_.pen().is_down();
+  if (sample.is_down() && !was_down) begin_stroke();
   const auto swept = brush_.move(sample, load_.fullness());
-  if (!is_writing_) return;
+  if (!sample.is_down() && !was_down) return;
   board_.sheet.touch(swept, load_);
   // The hair that leaves the paper sweeps on behind the pen; the stroke ends where it was pressed last.
-  if (sample.is_down())
-    add_point(board_.written.back(), sample, swept, handling_.guess_pressure);
-  else
-    is_writing_ = false;
+  if (sample.is_down()) add_point(board_.written.back(), sample, swept, handling_.guess_pressure);
 }
 
 void SheetEditor::lift_pen() {
-  if (!is_writing_) return;
+  if (!brush_.pen().is_down()) return;
   brush::PenSample up = brush_.pen();
   up.down = false;
   up.height_m.reset();
@@ -311,7 +308,7 @@ SheetState SheetEditor::state() const {
   state.undoes = last(board_.past, earlier_);
   state.redoes = last(board_.future, later_);
   state.is_wet = board_.sheet.is_wet();
-  state.is_writing = is_writing_;
+  state.is_writing = brush_.pen().is_down();
   state.is_saved = board_.saved == board_.revision;
   state.paper = board_.sheet.paper().name;
   state.ink = ink_;

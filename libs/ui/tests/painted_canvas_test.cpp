@@ -24,8 +24,7 @@ using test::Drawn;
 using test::drawn_by;
 using test::in_words;
 using test::line_words;
-
-QString words(const char* text) { return QString::fromUtf8(text); }
+using test::words;
 
 class PaintedCanvas : public testing::Test {
  protected:

@@ -11,8 +11,7 @@
 #include "characters/confusable_view.h"
 #include "characters/glyph_view.h"
 #include "nazori/widgets/words/kanji_text.h"
-#include "painting_under_test.h"
-#include "window/language.h"
+#include "painted_page.h"
 
 namespace nazori::ui {
 namespace {
@@ -23,23 +22,10 @@ using test::Drawing;
 using test::Drawn;
 using test::drawn_by;
 using test::in_words;
+using test::words;
 
-QString words(const char* text) { return QString::fromUtf8(text); }
-
-class PaintedCharacters : public testing::Test {
+class PaintedCharacters : public test::PaintedPage {
  protected:
-  void SetUp() override {
-    install_language(QStringLiteral("en"));
-    font_.setPixelSize(12);
-  }
-  QStyleOptionViewItem option(const QRect& rect, QStyle::State state) const {
-    QStyleOptionViewItem made;
-    made.rect = rect;
-    made.state = state;
-    made.font = font_;
-    made.fontMetrics = QFontMetrics(font_);
-    return made;
-  }
   /// The tile of 口, known that well.
   Drawing tile(Strength strength, QStyle::State state = QStyle::State_None, char32_t current = 0) {
     CharacterListModel model;
@@ -71,7 +57,6 @@ class PaintedCharacters : public testing::Test {
     return made;
   }
   const Colours& c_ = current_colours();
-  QFont font_;
 };
 
 TEST_F(PaintedCharacters, ATileHasABarAsLongAsItsCharacterIsKnownAndASign) {

@@ -7,9 +7,8 @@
 #include <QTest>
 
 #include "nazori/studio/workshop/groove_curve.h"
-#include "painting_under_test.h"
+#include "painted_page.h"
 #include "print_qt.h"
-#include "window/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -19,28 +18,9 @@ using test::Drawing;
 using test::Drawn;
 using test::drawn_by;
 using test::in_words;
+using test::words;
 
-QString words(const char* text) { return QString::fromUtf8(text); }
-QString colour_words(const QColor& colour) { return test::name_of(colour); }
-
-class CurveTest : public testing::Test {
- protected:
-  void SetUp() override {
-    install_language(QStringLiteral("en"));
-    qApp->setStyleSheet({});
-    QApplication::setPalette(make_palette(light_colours()));
-    font_.setPixelSize(12);
-  }
-  static void give_keyboard(QWidget& widget) {
-    widget.show();
-    widget.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&widget));
-    widget.setFocus();
-    ASSERT_TRUE(widget.hasFocus());
-  }
-  const Colours& c_ = light_colours();
-  QFont font_;
-};
+class CurveTest : public test::PaintedLightly {};
 
 class PaintedCurve : public CurveTest {
  protected:
@@ -100,10 +80,10 @@ TEST_F(PaintedCurve, OfDepthsGoesDownFromTheTopAndThatOfWidthsUpFromTheBottom) {
   const Drawn name = all.words(words("Depth"));
   EXPECT_NEAR(name.box.left(), 8, 1.01);
   EXPECT_NEAR(name.baseline, 3 + QFontMetrics(font_).ascent(), 1.01);
-  EXPECT_EQ(colour_words(name.pen.color()), words("muted"));
+  EXPECT_EQ(test::name_of(name.pen.color()), words("muted"));
   const Drawn value = all.words(words("100"));
   EXPECT_NEAR(value.box.right(), 212, 1.01);
-  EXPECT_EQ(colour_words(value.pen.color()), words("ink"));
+  EXPECT_EQ(test::name_of(value.pen.color()), words("ink"));
   EXPECT_TRUE(drawn_by(width).words(words("8.0")).box.right() > 205);
   EXPECT_EQ(drawn_by(width).words()[0].text, words("Width"));
 }

@@ -4,12 +4,11 @@
 #include <QListWidget>
 #include <QTest>
 
-#include "painting_under_test.h"
+#include "painted_page.h"
 #include "progress/hard_strokes_card.h"
 #include "progress/strength_grid.h"
 #include "progress/year_view.h"
 #include "session_under_test.h"
-#include "window/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -20,25 +19,11 @@ using test::Drawing;
 using test::Drawn;
 using test::drawn_by;
 using test::in_words;
+using test::words;
 
-QString words(const char* text) { return QString::fromUtf8(text); }
-
-class PaintedProgress : public testing::Test {
+class PaintedProgress : public test::PaintedPage {
  protected:
-  void SetUp() override {
-    install_language(QStringLiteral("en"));
-    font_.setPixelSize(12);
-  }
-  QStyleOptionViewItem option(const QRect& rect, QStyle::State state) const {
-    QStyleOptionViewItem made;
-    made.rect = rect;
-    made.state = state;
-    made.font = font_;
-    made.fontMetrics = QFontMetrics(font_);
-    return made;
-  }
   const Colours& c_ = current_colours();
-  QFont font_;
 };
 
 TEST_F(PaintedProgress, ATileOfTheGridHasItsLookItsCharacterAndItsSign) {

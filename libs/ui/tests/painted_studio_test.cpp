@@ -13,9 +13,8 @@
 #include "nazori/studio/print/page_view.h"
 #include "nazori/studio/print/photo_view.h"
 #include "nazori/studio/print/relief_view.h"
-#include "painting_under_test.h"
+#include "painted_page.h"
 #include "print_qt.h"
-#include "window/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -26,28 +25,9 @@ using test::Drawn;
 using test::drawn_by;
 using test::in_words;
 using test::line_words;
+using test::words;
 
-QString words(const char* text) { return QString::fromUtf8(text); }
-QString colour_words(const QColor& colour) { return test::name_of(colour); }
-
-class PaintedStudio : public testing::Test {
- protected:
-  void SetUp() override {
-    install_language(QStringLiteral("en"));
-    qApp->setStyleSheet({});
-    QApplication::setPalette(make_palette(light_colours()));
-    font_.setPixelSize(12);
-  }
-  static void give_keyboard(QWidget& widget) {
-    widget.show();
-    widget.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&widget));
-    widget.setFocus();
-    ASSERT_TRUE(widget.hasFocus());
-  }
-  const Colours& c_ = light_colours();
-  QFont font_;
-};
+class PaintedStudio : public test::PaintedLightly {};
 
 class PaintedPaper : public PaintedStudio {
  protected:
@@ -96,7 +76,7 @@ TEST_F(PaintedPaper, HasAShadowItsPictureAndTheRingOfTheKeyboard) {
   const Drawing plain = drawn_by(view_);
   ASSERT_EQ(plain.boxes().size(), 4U) << "the ground and three shadows";
   EXPECT_EQ(plain.boxes()[0].fill.color(), c_.paper);
-  const QString shade = colour_words(QColor(0, 0, 0, 14));
+  const QString shade = test::name_of(QColor(0, 0, 0, 14));
   EXPECT_EQ(in_words(plain.boxes()[1]), box_words(sheet.adjusted(-4, -3, 6, 7), 3, words("none"), shade));
   EXPECT_EQ(in_words(plain.boxes()[2]), box_words(sheet.adjusted(-2, -1, 4, 5), 3, words("none"), shade));
   EXPECT_EQ(in_words(plain.boxes()[3]), box_words(sheet.adjusted(0, 1, 2, 3), 3, words("none"), shade));

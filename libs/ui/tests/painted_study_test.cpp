@@ -5,12 +5,11 @@
 
 #include "characters/drawing_pad.h"
 #include "characters/word_boxes.h"
-#include "painting_under_test.h"
+#include "painted_page.h"
 #include "session_under_test.h"
 #include "start/choice_button.h"
 #include "study/home_parts.h"
 #include "study/ink_gallery.h"
-#include "window/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -20,24 +19,13 @@ using test::Drawing;
 using test::Drawn;
 using test::in_words;
 
-class PaintedStudy : public testing::Test {
+class PaintedStudy : public test::PaintedPage {
  protected:
-  void SetUp() override {
-    install_language(QStringLiteral("en"));
-    font_.setPixelSize(12);
-  }
   /// What a widget draws of this size, in letters of 12 pixels.
   Drawing drawn(QWidget& widget, QSize size) {
     widget.setFont(font_);
     widget.resize(size);
     return test::drawn_by(widget);
-  }
-  static void give_keyboard(QWidget& widget) {
-    widget.show();
-    widget.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&widget));
-    widget.setFocus();
-    ASSERT_TRUE(widget.hasFocus());
   }
   /// A level stroke from 10 to 90 of the 109 units, at 50.
   static study::Handwriting ink() { return {{{{10, 50}, 0.0, 1.0}, {{90, 50}, 0.5, 1.0}}}; }
@@ -53,7 +41,6 @@ class PaintedStudy : public testing::Test {
     EXPECT_NEAR(is.height(), wanted.height(), 0.01);
   }
   const Colours& c_ = current_colours();
-  QFont font_;
 };
 
 TEST_F(PaintedStudy, TheStartButtonHasItsWordItsKeyAndBelowThemWhatItHolds) {

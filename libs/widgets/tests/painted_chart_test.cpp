@@ -20,8 +20,7 @@ using test::Drawn;
 using test::drawn_by;
 using test::in_words;
 using test::line_words;
-
-QString words(const char* text) { return QString::fromUtf8(text); }
+using test::words;
 
 class PaintedChart : public testing::Test {
  protected:

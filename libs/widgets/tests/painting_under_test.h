@@ -19,6 +19,9 @@
 
 namespace nazori::ui::test {
 
+/// UTF-8 as a text of Qt.
+inline QString words(const char* text) { return QString::fromUtf8(text); }
+
 /// The name of a colour of the window, else its number.
 inline QString name_of(const QColor& colour) {
   const Colours& c = current_colours();

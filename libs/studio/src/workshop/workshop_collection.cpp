@@ -99,7 +99,6 @@ void WorkshopPage::keep_as(std::optional<char32_t> place, author::SameName same_
   files_.keep(
       bench_->begin_save(), collection(), place, same_name, becomes_document,
       [this, becomes_document, edits = edits_](author::SavePoint point, const base::Result<char32_t>& kept) {
-        slow_.stop();
         const author::Facts facts = point.character.facts;
         if (kept && becomes_document) file_ = to_text(collection().file_of(*kept).string());
         bench_->end_save(std::move(point));

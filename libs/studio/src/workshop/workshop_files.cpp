@@ -65,6 +65,7 @@ void WorkshopPage::finish_files() {
 void WorkshopPage::say_if_slow(const QString& sentence) {
   constexpr int kSlow_ms = 300;
   slow_sentence_ = sentence;
+  slow_call_ = files_.last_call() + 1;
   slow_.start(kSlow_ms);
 }
 
@@ -151,7 +152,6 @@ void WorkshopPage::open(const QString& path) {
   finish_files();
   say_if_slow(tr("Opening %1…").arg(name_of(path)));
   files_.open(path.toStdString(), [this, path, edits = edits_](base::Result<author::OpenedCharacter> opened) {
-    slow_.stop();
     if (!opened) {
       // The question about unsaved work ended the journal of the document that stays.
       if (!bench_->editor().state().is_autosaved) keep_journal();
@@ -244,7 +244,6 @@ void WorkshopPage::write(const QString& path) {
   if (*format == author::CharacterFormat::document) {
     return files_.save(bench_->begin_save(), file,
                        [this, path](author::SavePoint point, const base::Result<void>& saved) {
-                         slow_.stop();
                          const bool is_written = point.is_written;
                          if (is_written) file_ = path;
                          bench_->end_save(std::move(point));
@@ -256,7 +255,6 @@ void WorkshopPage::write(const QString& path) {
   const int side = *format == author::CharacterFormat::strokes ? kClassicSide : bench_->editor().map().size();
   files_.write_copy(bench_->character(), file, *format, side,
                     [this, path](const base::Result<void>& written) {
-                      slow_.stop();
                       if (!written) return say_not_saved(path, written.error());
                       parts().announce(Feedback::good, tr("Saved a copy as %1.").arg(name_of(path)));
                     });

@@ -63,7 +63,7 @@ WorkshopPage::WorkshopPage(WindowParts& parts)
   connect_tracing();
   slow_.setSingleShot(true);
   connect(&slow_, &QTimer::timeout, this, [this] {
-    if (files_.is_busy()) this->parts().announce(Feedback::hint, slow_sentence_);
+    if (files_.is_waiting_for(slow_call_)) this->parts().announce(Feedback::hint, slow_sentence_);
   });
   show_bench();
 }

@@ -55,14 +55,18 @@ class CharacterFiles {
                   Answered<base::Result<void>> answered);
 
   /// Whether an answer is to come.
-  [[nodiscard]] bool is_busy() const { return waiting_ > 0; }
+  [[nodiscard]] bool is_busy() const { return is_waiting_for(asked_); }
+  /// Number of the last call, from 1 on; 0 before the first.
+  [[nodiscard]] std::size_t last_call() const { return asked_; }
+  /// Whether the answer to this call is to come, or the call itself.
+  [[nodiscard]] bool is_waiting_for(std::size_t call) const { return answered_ < call; }
 
  private:
   template <class Work, class Done>
   void run(Work work, Done done);
 
   base::Inbox& inbox_;
-  std::size_t waiting_ = 0;
+  std::size_t asked_ = 0, answered_ = 0;
   std::optional<base::Background> background_;  // declared last, so that its thread ends first
 };
 

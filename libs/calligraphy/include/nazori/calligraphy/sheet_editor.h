@@ -163,7 +163,6 @@ class SheetEditor {
   paint::InkLoad load_;
   std::string ink_;
   int slot_ = 0;  ///< of the ink; below 0: clear water
-  bool is_writing_ = false;
 };
 
 }  // namespace nazori::calligraphy

@@ -10,7 +10,7 @@
 
 namespace nazori::calligraphy {
 
-/// The pace of a teacher who shows a character slowly enough to follow. Speeds are in m/s on the sheet.
+/// How fast the teacher writes: slowly, so that learners can follow. Speeds are in m/s on the sheet.
 struct HandPace {
   double body_m_s = 0.045;
   double bend_m_s = 0.022;   ///< where a stroke starts, and where its line turns sharply

@@ -146,7 +146,8 @@ class WorkshopPage final : public Page {
   std::size_t edits_ = 0;    ///< made, undone and redone since the window was opened
   QTimer slow_;              ///< runs out while files are being read or written
   QString slow_sentence_;
-  author::Tracer tracer_;  // the threads are declared last, so that they end first
+  std::size_t slow_call_ = 0;  ///< of `files_`, of which the sentence speaks
+  author::Tracer tracer_;      // the threads are declared last, so that they end first
   author::CharacterFiles files_;
   practice::FeltRelief felt_;
 };
