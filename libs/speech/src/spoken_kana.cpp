@@ -61,12 +61,13 @@ base::Result<SpokenKana> spoken_kana(std::string_view text) {
     }
     if (const auto pair = pair_of(c); !pair.empty()) {
       name += pair;
+      syllables += pair.size();
     } else if (is_syllable(c)) {
       name += c;
+      ++syllables;
     } else {
       return base::fail(base::Errc::bad_argument, "only kana can be spoken", std::string(text), kRemedy);
     }
-    ++syllables;
   }
   if (!name.empty() && name.back() == kPause) name.pop_back();
   if (syllables == 0)

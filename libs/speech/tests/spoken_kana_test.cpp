@@ -59,5 +59,16 @@ TEST(SpokenKana, RefusesAllElse) {
   EXPECT_EQ(said(most + "か"), "refused: is too long to be spoken");
 }
 
+TEST(SpokenKana, CountsAKatakanaThatBecomesTwoHiraganaAsTwo) {
+  std::string pairs;
+  std::string spoken;
+  for (std::size_t i = 0; i < kMostSpokenKana / 2; ++i) {
+    pairs += "ヷ";
+    spoken += "ゔぁ";
+  }
+  EXPECT_EQ(said(pairs), spoken);
+  EXPECT_EQ(said(pairs + "ヷ"), "refused: is too long to be spoken");
+}
+
 }  // namespace
 }  // namespace nazori::speech
