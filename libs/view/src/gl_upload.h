@@ -24,7 +24,7 @@ struct TexelLayout {
   GLenum format;
   int width;
   int height;
-  bool mipmaps;
+  bool mipmaps;  ///< only of GL_RGBA
 };
 
 /// Leaves the texture bound to unit 0.

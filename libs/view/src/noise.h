@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace nazori::view {
 
@@ -47,27 +47,42 @@ namespace nazori::view {
 /// value_noise along a line of one y, whose random values are drawn once. It costs a quarter of the time.
 class NoiseLine {
  public:
-  NoiseLine(float y, std::uint32_t seed) : y_(y), seed_(seed) {
-    for (std::size_t i = 0; i < kKnots; ++i)
-      knots_[i] = value_noise(static_cast<float>(static_cast<int>(i) + kFirst), y, seed);
+  /// @param low,high  where most values will be asked for.
+  NoiseLine(float y, std::uint32_t seed, float low = -8, float high = 55)
+      : seed_(seed), first_(static_cast<std::int32_t>(std::floor(low))) {
+    knots_.resize(static_cast<std::size_t>(static_cast<std::int32_t>(std::floor(high)) - first_ + 2));
+    set_y(y);
   }
-  /// Beyond -8..55 it costs what value_noise costs.
+  /// Moves the line.
+  void set_y(float y) {
+    y_ = y;
+    const float row = std::floor(y);
+    const auto j = static_cast<std::int32_t>(row);
+    float v = y - row;
+    v = v * v * (3 - 2 * v);
+    std::int32_t i = first_;
+    for (float& knot : knots_) {
+      const float above = lattice_random(i, j, seed_);
+      knot = above + (lattice_random(i, j + 1, seed_) - above) * v;
+      ++i;
+    }
+  }
+  /// Beyond `low` and `high` it costs what value_noise costs.
   [[nodiscard]] float at(float x) const {
-    const float column = std::floor(x);
-    const int knot = static_cast<int>(column) - kFirst;
-    if (knot < 0 || knot + 1 >= static_cast<int>(kKnots)) return value_noise(x, y_, seed_);
-    float u = x - column;
+    const float past = x - static_cast<float>(first_);
+    if (past < 0 || past >= static_cast<float>(knots_.size() - 1)) return value_noise(x, y_, seed_);
+    const auto knot = static_cast<std::size_t>(past);
+    float u = past - static_cast<float>(knot);
     u = u * u * (3 - 2 * u);
     const float* ends = knots_.data() + knot;
     return ends[0] + (ends[1] - ends[0]) * u;
   }
 
  private:
-  static constexpr std::size_t kKnots = 64;
-  static constexpr int kFirst = -8;
-  float y_;
+  float y_ = 0;
   std::uint32_t seed_;
-  std::array<float, kKnots> knots_{};
+  std::int32_t first_;
+  std::vector<float> knots_;
 };
 
 }  // namespace nazori::view

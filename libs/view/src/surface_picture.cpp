@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <mutex>
-#include <numbers>
 
+#include "exposure.h"
 #include "material.h"
 #include "nazori/base/bands.h"
 #include "projection.h"
@@ -27,22 +27,10 @@ constexpr glm::vec3 kKeyTint{1.02F, 1.0F, 0.965F};
 constexpr glm::vec3 kSkyTint{0.985F, 1.0F, 1.025F};
 /// Light between the walls of a groove that sees no sky.
 constexpr float kBounce = 0.42F;
-/// Grooves are shaded as if they were this much shallower: true shadows would hide their floors.
-constexpr float kShadeDepth = 0.55F;
-/// Half the width of the shadow's edge, as a slope: the key light is a window, not a point.
-constexpr float kShadowSoftness = 0.55F;
 /// From this height on the face is drawn as not carved: a thousandth of the depth is not visible.
 constexpr float kPlainHeight = 0.9995F;
-/// Samples this high cannot be in the shadow of the plateau.
-constexpr float kOpenHeight = 0.998F;
-constexpr std::array<float, 8> kReachSteps{1, 2, 4, 7, 11, 16, 23, 32};
-
-/// How much of the key light and of the sky reaches each sample of a lattice.
-struct Exposure {
-  int size = 0;
-  std::vector<float> key;
-  std::vector<float> sky;
-};
+/// The tablet of MaterialRow.
+constexpr float kWidth_m = 0.1F;
 
 /// Runs `work(first, last)` over the rows of a picture on a few threads.
 template <class Work>
@@ -50,139 +38,6 @@ void in_bands(int rows, const Work& work) {
   const base::Bands bands(rows, 1);
   bands.run([&](int band) { work(bands.first(band), bands.last(band)); });
 }
-
-/// Steps from a sample outwards, and how much higher the samples there stand, by their distance.
-class Ray {
- public:
-  /// @param way  unit length, in samples.  @param distances  in samples, ascending.
-  Ray(glm::vec2 way, const std::vector<float>& distances) {
-    for (const float t : distances) {
-      const glm::vec2 there = glm::vec2(0.5F) + way * t;
-      steps_.push_back({static_cast<int>(std::floor(there.x)), static_cast<int>(std::floor(there.y)), 1 / t});
-    }
-  }
-  /// Samples to either side that the first `count` steps need.
-  [[nodiscard]] int reach(std::size_t count) const {
-    int most = 0;
-    for (std::size_t k = 0; k < count; ++k)
-      most = std::max({most, std::abs(steps_[k].columns), std::abs(steps_[k].rows)});
-    return most;
-  }
-  /// The steepest rise to any of the first `count` steps, at least 0. Beyond the edge are the samples of the
-  /// edge.
-  [[nodiscard]] float rise(const Relief& relief, int column, int row, std::size_t count) const {
-    const int last = relief.size - 1;
-    const float height = relief.at(column, row);
-    float most = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Step& step = steps_[k];
-      const float there =
-          relief.at(std::clamp(column + step.columns, 0, last), std::clamp(row + step.rows, 0, last));
-      most = std::max(most, (there - height) * step.nearness);
-    }
-    return most;
-  }
-  /// The same for a sample that is at least reach(count) from every edge.
-  [[nodiscard]] float rise_inside(const Relief& relief, int column, int row, std::size_t count) const {
-    const float* here = relief.heights.data() + static_cast<std::ptrdiff_t>(row) * relief.size + column;
-    float most = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Step& step = steps_[k];
-      const float there = here[static_cast<std::ptrdiff_t>(step.rows) * relief.size + step.columns];
-      most = std::max(most, (there - *here) * step.nearness);
-    }
-    return most;
-  }
-  [[nodiscard]] std::size_t count() const { return steps_.size(); }
-
- private:
-  struct Step {
-    int columns;
-    int rows;
-    float nearness;  ///< 1 / distance
-  };
-  std::vector<Step> steps_;
-};
-
-/// Marches to the horizon: once towards the light, and in eight directions for the sky.
-Exposure make_exposure(const Relief& relief, const geometry::TabletShape& shape, Hand hand) {
-  Exposure exposure;
-  exposure.size = relief.size;
-  exposure.key.assign(relief.heights.size(), 1.0F);
-  exposure.sky.assign(relief.heights.size(), 1.0F);
-  const float slope_per_step = static_cast<float>(shape.depth_m / shape.width_m * (relief.size - 1)) *
-                               kShadeDepth;  // height 1 over one sample
-  const float stride = static_cast<float>(relief.size - 1) / 511.0F;
-  const glm::vec3 light = light_direction(hand);
-  const glm::vec2 towards = glm::normalize(glm::vec2(light.x, -light.y));
-  const float light_slope = light.z / glm::length(glm::vec2(light.x, light.y));
-  const float reach =
-      slope_per_step / (light_slope - kShadowSoftness * 0.9F);  // of a shadow as deep as a groove
-  const auto steps_within = [stride](float farthest) {
-    return static_cast<std::size_t>(std::max(0, static_cast<int>((farthest - stride) / (stride * 1.5F)) + 1));
-  };
-  std::vector<float> light_steps;
-  for (std::size_t step = 0; step < steps_within(reach); ++step)
-    light_steps.push_back(stride * (1 + 1.5F * static_cast<float>(step)));
-  const Ray to_light(towards, light_steps);
-  std::vector<float> sky_steps;
-  for (const float step : kReachSteps) sky_steps.push_back(step * stride);
-  std::vector<Ray> to_sky;
-  int margin = to_light.reach(to_light.count());
-  for (int i = 0; i < 8; ++i) {
-    const double angle = (i + 0.5) * std::numbers::pi / 4;
-    to_sky.emplace_back(glm::vec2(std::cos(angle), std::sin(angle)), sky_steps);
-    margin = std::max(margin, to_sky.back().reach(sky_steps.size()));
-  }
-  in_bands(relief.size, [&](int first, int last) {
-    for (int row = first; row < last; ++row) {
-      for (int column = 0; column < relief.size; ++column) {
-        const float height = relief.at(column, row);
-        if (height >= kOpenHeight) continue;
-        const std::size_t place = static_cast<std::size_t>(row) * static_cast<std::size_t>(relief.size) +
-                                  static_cast<std::size_t>(column);
-        const int edge_distance = std::min(std::min(column, row), relief.size - 1 - std::max(column, row));
-        const bool inside = edge_distance >= margin;
-        const auto rise = [&](const Ray& ray, std::size_t count) {
-          return inside ? ray.rise_inside(relief, column, row, count) : ray.rise(relief, column, row, count);
-        };
-        const float blocked = rise(to_light, std::min(steps_within((1 - height) * reach), to_light.count()));
-        const float edge = (blocked * slope_per_step - light_slope) / (2 * kShadowSoftness) + 0.5F;
-        const float dark = std::clamp(edge, 0.0F, 1.0F);
-        exposure.key[place] = 1 - dark * dark * (3 - 2 * dark);
-        float open = 0;
-        for (const Ray& ray : to_sky) {
-          const float slope = rise(ray, ray.count()) * slope_per_step;
-          open += 1 / (1 + slope * slope);
-        }
-        exposure.sky[place] = open / static_cast<float>(to_sky.size());
-      }
-    }
-  });
-  return exposure;
-}
-
-/// Between the samples of a coarser lattice that spans the same square.
-class Interpolation {
- public:
-  Interpolation(int fine, int coarse)
-      : coarse_(coarse), step_(static_cast<float>(coarse - 1) / static_cast<float>(fine - 1)) {}
-  [[nodiscard]] float operator()(const std::vector<float>& values, int column, int row) const {
-    const float x = static_cast<float>(column) * step_;
-    const float y = static_cast<float>(row) * step_;
-    const int i = std::min(static_cast<int>(x), coarse_ - 2);
-    const int j = std::min(static_cast<int>(y), coarse_ - 2);
-    const float u = x - static_cast<float>(i);
-    const float v = y - static_cast<float>(j);
-    const float* top = values.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(coarse_) + i;
-    const float* low = top + coarse_;
-    return (top[0] * (1 - u) + top[1] * u) * (1 - v) + (low[0] * (1 - u) + low[1] * u) * v;
-  }
-
- private:
-  int coarse_;
-  float step_;
-};
 
 /// 8-bit sRGB of linear values 0..1 through a table.
 class GammaCoder {
@@ -207,16 +62,142 @@ const GammaCoder& gamma_coder() {
   return coder;
 }
 
-Relief halved(const Relief& relief) {
-  Relief half;
-  half.size = relief.size / 2;
-  half.heights.reserve(static_cast<std::size_t>(half.size) * static_cast<std::size_t>(half.size));
-  const Interpolation between(half.size, relief.size);
-  for (int row = 0; row < half.size; ++row)
-    for (int column = 0; column < half.size; ++column)
-      half.heights.push_back(between(relief.heights, column, row));
-  return half;
-}
+/// Lights the carved texels of one row after another.
+class RowPainter {
+ public:
+  RowPainter(const Relief& relief, const Exposure& exposure, const geometry::TabletShape& shape,
+             const PlainFace& plain)
+      : relief_(relief),
+        plain_(plain),
+        exposure_(exposure, relief.size),
+        material_(plain.look.style, plain.look.theme),
+        light_(light_direction(plain.look.hand)),
+        step_m_(kWidth_m / static_cast<float>(relief.size - 1)),
+        depth_m_(kWidth_m * static_cast<float>(shape.depth_m / shape.width_m)),
+        points_(static_cast<std::size_t>(relief.size)),
+        columns_(points_.x_m.size()),
+        heights_(points_.x_m.size()),
+        right_(points_.x_m.size()),
+        up_(points_.x_m.size()),
+        key_(points_.x_m.size()),
+        sky_(points_.x_m.size()) {}
+
+  void paint(int row, SurfacePicture& picture) {
+    find_carved(row);
+    if (points_.count == 0) return;
+    const std::size_t first =
+        static_cast<std::size_t>(row + plain_.rim) * static_cast<std::size_t>(plain_.size) +
+        static_cast<std::size_t>(plain_.rim);
+    points_.y_m = kWidth_m / 2 - static_cast<float>(row) * step_m_;
+    for (std::size_t i = 0; i < points_.count; ++i) {
+      const int column = columns_[i];
+      points_.x_m[i] = static_cast<float>(column) * step_m_ - kWidth_m / 2;
+      points_.set_grain(i, plain_.grain[first + static_cast<std::size_t>(column)]);
+    }
+    for (std::size_t i = 0; i < points_.count; ++i) {
+      points_.z_m[i] = (heights_[i] - 1) * depth_m_;
+      points_.carved[i] = 1 - heights_[i];
+    }
+    material_.colour(points_);
+    light(row);
+    const GammaCoder& code = gamma_coder();
+    for (std::size_t i = 0; i < points_.count; ++i) {
+      const std::size_t texel = first + static_cast<std::size_t>(columns_[i]);
+      std::uint8_t* rgba = picture.rgba.data() + texel * 4;
+      rgba[0] = code(points_.red[i]);
+      rgba[1] = code(points_.green[i]);
+      rgba[2] = code(points_.blue[i]);
+      rgba[3] = code(key_[i]);
+      picture.heights[texel] = static_cast<std::uint8_t>(heights_[i] * 255 + 0.5F);
+    }
+  }
+
+ private:
+  /// Texels that are looked at together first.
+  static constexpr int kBlock = 32;
+  /// Where all are this high neither their heights nor their slopes are carved.
+  static constexpr float kLevelHeight = (1 + kPlainHeight) / 2;
+
+  /// The texels that lie lower than the plateau or beside it, and their slopes.
+  void find_carved(int row) {
+    const int last = relief_.size - 1;
+    const float* here =
+        &relief_.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(relief_.size)];
+    const float* above = row > 0 ? here - relief_.size : here;
+    const float* below = row < last ? here + relief_.size : here;
+    std::size_t count = 0;
+    const auto consider = [&](int column, int left, int right) {
+      const float height = here[column];
+      const float rise_right = here[right] - here[left];
+      const float rise_up = above[column] - below[column];
+      columns_[count] = column;
+      heights_[count] = height;
+      right_[count] = rise_right;
+      up_[count] = rise_up;
+      const bool plain =
+          height >= kPlainHeight && std::abs(rise_right) + std::abs(rise_up) < 1 - kPlainHeight;
+      // The next texel takes the place of a plain one.
+      count += plain ? 0 : 1;
+    };
+    for (int first = 0; first <= last; first += kBlock) {
+      const int end = std::min(first + kBlock, last + 1);
+      const int from = std::max(first - 1, 0);
+      const int to = std::min(end + 1, last + 1);
+      int low = 0;
+      for (int i = from; i < to; ++i) low |= static_cast<int>(here[i] < kLevelHeight);
+      for (int i = first; i < end; ++i)
+        low |= static_cast<int>(above[i] < kLevelHeight) | static_cast<int>(below[i] < kLevelHeight);
+      if (low == 0) continue;
+      for (int column = first; column < end; ++column)
+        consider(column, std::max(column - 1, 0), std::min(column + 1, last));
+    }
+    points_.count = count;
+  }
+
+  /// Turns the reflectance of the points into what is seen of it, and `key_` into the light that falls there,
+  /// over kLightRange.
+  void light(int row) {
+    exposure_.set_row(row);
+    for (std::size_t i = 0; i < points_.count; ++i) {
+      const Exposed exposed = exposure_.at(columns_[i]);
+      key_[i] = exposed.key;
+      sky_[i] = exposed.sky;
+    }
+    const float slope = depth_m_ / (2 * step_m_);
+    for (std::size_t i = 0; i < points_.count; ++i) {
+      const float across = -right_[i] * slope;
+      const float along = -up_[i] * slope;
+      const float facing =
+          (across * light_.x + along * light_.y + light_.z) / std::sqrt(across * across + along * along + 1);
+      const float lit = kKey * key_[i] * std::max(facing, 0.0F) / light_.z;
+      const float ambient = kAmbient * sky_[i];
+      // Light that reaches a deep place was reflected by the walls and has their colour.
+      const float bounce = (1 - sky_[i]) * kBounce;
+      const auto seen = [&](float tone, float key_tint, float sky_tint) {
+        return tone * (key_tint * lit + sky_tint * ambient + tone * bounce);
+      };
+      points_.red[i] = seen(points_.red[i], kKeyTint.x, kSkyTint.x);
+      points_.green[i] = seen(points_.green[i], kKeyTint.y, kSkyTint.y);
+      points_.blue[i] = seen(points_.blue[i], kKeyTint.z, kSkyTint.z);
+      key_[i] = (lit + ambient) / kLightRange;
+    }
+  }
+
+  const Relief& relief_;
+  const PlainFace& plain_;
+  ExposureRow exposure_;
+  Material material_;
+  glm::vec3 light_;
+  float step_m_;
+  float depth_m_;
+  MaterialRow points_;
+  std::vector<int> columns_;
+  std::vector<float> heights_;
+  std::vector<float> right_;  ///< how much higher the texel to the right is than that to the left
+  std::vector<float> up_;     ///< and the texel above than that below
+  std::vector<float> key_;
+  std::vector<float> sky_;
+};
 
 }  // namespace
 
@@ -244,21 +225,29 @@ PlainFace make_plain_face(const Look& look, int samples) {
   const Material material(look.style, look.theme);
   const GammaCoder& code = gamma_coder();
   const std::uint8_t light = code(1 / kLightRange);
-  const float step_m = 0.1F / static_cast<float>(samples - 1);
+  const glm::vec3 tint = kKeyTint * kKey + kSkyTint * kAmbient;
+  const float step_m = kWidth_m / static_cast<float>(samples - 1);
+  const auto place = [&](int texel) { return static_cast<float>(texel - plain.rim) * step_m - kWidth_m / 2; };
   in_bands(plain.size, [&](int first, int last) {
-    std::size_t out = static_cast<std::size_t>(first) * static_cast<std::size_t>(plain.size) * 4;
+    GrainLine line(look.style, place(0), place(plain.size - 1));
+    MaterialRow row(static_cast<std::size_t>(plain.size));
+    row.count = row.x_m.size();
+    for (std::size_t i = 0; i < row.count; ++i) row.x_m[i] = place(static_cast<int>(i));
+    std::size_t out = static_cast<std::size_t>(first) * row.count;
     for (int y = first; y < last; ++y) {
-      for (int x = 0; x < plain.size; ++x, out += 4) {
-        const glm::vec3 point(static_cast<float>(x - plain.rim) * step_m - 0.05F,
-                              0.05F - static_cast<float>(y - plain.rim) * step_m, 0);
-        const Grain grain = material.grain({point.x, point.y});
-        plain.grain[out / 4] = grain;
-        const glm::vec3 colour =
-            material.reflectance(grain, point, 0) * (kKeyTint * kKey + kSkyTint * kAmbient);
-        plain.rgba[out] = code(colour.x);
-        plain.rgba[out + 1] = code(colour.y);
-        plain.rgba[out + 2] = code(colour.z);
-        plain.rgba[out + 3] = light;
+      row.y_m = -place(y);
+      line.set_y(row.y_m);
+      for (std::size_t i = 0; i < row.count; ++i) {
+        const Grain grain = line.at(row.x_m[i]);
+        row.set_grain(i, grain);
+        plain.grain[out + i] = grain;
+      }
+      material.colour(row);
+      for (std::size_t i = 0; i < row.count; ++i, ++out) {
+        plain.rgba[out * 4] = code(row.red[i] * tint.x);
+        plain.rgba[out * 4 + 1] = code(row.green[i] * tint.y);
+        plain.rgba[out * 4 + 2] = code(row.blue[i] * tint.z);
+        plain.rgba[out * 4 + 3] = light;
       }
     }
   });
@@ -283,49 +272,13 @@ std::shared_ptr<const PlainFace> shared_plain_face(const Look& look, int samples
 
 SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::TabletShape& shape,
                            const PlainFace& plain) {
-  const int n = plain.size - 2 * plain.rim;
-  const Relief relief = resampled(map, n);
-  const Relief coarse = halved(relief);
-  const Exposure exposure = make_exposure(coarse, shape, plain.look.hand);
-  const Interpolation between(n, coarse.size);
-  const Material material(plain.look.style, plain.look.theme);
-  const GammaCoder& code = gamma_coder();
-  const glm::vec3 light = light_direction(plain.look.hand);
-
+  const Relief relief = resampled(map, plain.size - 2 * plain.rim);
+  const Exposure exposure = make_exposure(relief, shape, plain.look.hand);
   SurfacePicture picture{plain.size, plain.rim, plain.rgba, {}};
   picture.heights.assign(picture.rgba.size() / 4, 255);
-  const float step_m = 0.1F / static_cast<float>(n - 1);
-  const float depth_m = 0.1F * static_cast<float>(shape.depth_m / shape.width_m);
-  const float slope = depth_m / (2 * step_m);
-  in_bands(n, [&](int first, int last) {
-    for (int row = first; row < last; ++row) {
-      std::size_t out = static_cast<std::size_t>(row + plain.rim) * static_cast<std::size_t>(plain.size) +
-                        static_cast<std::size_t>(plain.rim);
-      for (int column = 0; column < n; ++column, ++out) {
-        const float height = relief.at(column, row);
-        const float dx =
-            relief.at(std::min(column + 1, n - 1), row) - relief.at(std::max(column - 1, 0), row);
-        const float dy =
-            relief.at(column, std::max(row - 1, 0)) - relief.at(column, std::min(row + 1, n - 1));
-        if (height >= kPlainHeight && std::abs(dx) + std::abs(dy) < 1 - kPlainHeight) continue;
-        const glm::vec3 normal = glm::normalize(glm::vec3(-dx * slope, -dy * slope, 1));
-        const float facing = std::max(glm::dot(normal, light), 0.0F) / light.z;
-        const float lit = kKey * between(exposure.key, column, row) * facing;
-        const float sky = between(exposure.sky, column, row);
-        const float ambient = kAmbient * sky;
-        const glm::vec3 point(static_cast<float>(column) * step_m - 0.05F,
-                              0.05F - static_cast<float>(row) * step_m, (height - 1) * depth_m);
-        const glm::vec3 albedo = material.reflectance(plain.grain[out], point, 1 - height);
-        // Light that reaches a deep place was reflected by the walls and has their colour.
-        const glm::vec3 bounce = albedo * ((1 - sky) * kBounce);
-        const glm::vec3 colour = albedo * (kKeyTint * lit + kSkyTint * ambient + bounce);
-        picture.rgba[out * 4] = code(colour.x);
-        picture.rgba[out * 4 + 1] = code(colour.y);
-        picture.rgba[out * 4 + 2] = code(colour.z);
-        picture.rgba[out * 4 + 3] = code((lit + ambient) / kLightRange);
-        picture.heights[out] = static_cast<std::uint8_t>(std::lround(height * 255));
-      }
-    }
+  in_bands(relief.size, [&](int first, int last) {
+    RowPainter painter(relief, exposure, shape, plain);
+    for (int row = first; row < last; ++row) painter.paint(row, picture);
   });
   return picture;
 }

@@ -103,6 +103,56 @@ TEST(Noise, AlongALineIsTheNoiseOfThePlane) {
   }
 }
 
+TEST(Noise, ALineThatMovesIsTheNoiseOfItsNewPlace) {
+  NoiseLine line(0.5F, 5, -2.5F, 3.5F);
+  for (const float y : {-3.75F, 0.0F, 2.125F}) {
+    line.set_y(y);
+    for (float x = -6; x < 8; x += 0.125F)
+      EXPECT_NEAR(line.at(x), value_noise(x, y, 5), 1e-6) << x << ' ' << y;
+  }
+}
+
+TEST(GrainLine, IsTheGrainOfItsRow) {
+  for (const Style style : {Style::wood, Style::slate}) {
+    const Material material(style, Theme::light);
+    GrainLine line(style, -0.05F, 0.05F);
+    for (const float y : {-0.05F, 0.0F, 0.0371F}) {
+      line.set_y(y);
+      for (float x = -0.05F; x <= 0.05F; x += 0.0007F) {
+        const Grain along = line.at(x), alone = material.grain({x, y});
+        EXPECT_NEAR(along.across_m, alone.across_m, 1e-6) << x;
+        EXPECT_NEAR(along.cloud, alone.cloud, 1e-4) << x;
+        EXPECT_NEAR(along.detail, alone.detail, 1e-3) << x;
+      }
+    }
+  }
+}
+
+TEST(Material, ARowHasTheColoursOfItsPoints) {
+  for (const Style style : {Style::wood, Style::slate}) {
+    const Material material(style, Theme::dark);
+    MaterialRow row(7);
+    row.y_m = 0.013F;
+    row.count = 5;
+    row.red[5] = -1;
+    for (std::size_t i = 0; i < row.count; ++i) {
+      const auto part = static_cast<float>(i) / 4;
+      row.x_m[i] = 0.09F * part - 0.04F;
+      row.z_m[i] = -0.01F * part;
+      row.carved[i] = part;
+      row.set_grain(i, material.grain({row.x_m[i], row.y_m}));
+    }
+    material.colour(row);
+    for (std::size_t i = 0; i < row.count; ++i) {
+      const glm::vec3 alone = material.reflectance({row.x_m[i], row.y_m, row.z_m[i]}, row.carved[i]);
+      EXPECT_FLOAT_EQ(row.red[i], alone.x);
+      EXPECT_FLOAT_EQ(row.green[i], alone.y);
+      EXPECT_FLOAT_EQ(row.blue[i], alone.z);
+    }
+    EXPECT_EQ(row.red[5], -1) << "what is not in use stays";
+  }
+}
+
 struct Substance {
   Style style;
   Theme theme;

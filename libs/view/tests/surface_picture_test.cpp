@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "../src/exposure.h"
 #include "../src/material.h"
 
 namespace nazori::view {
@@ -195,6 +197,61 @@ TEST(LitPicture, LightBetweenWallsTakesTheirColour) {
   }
   EXPECT_GT(warmth, 1.04);
   EXPECT_LT(warmth, 1.8);
+}
+
+TEST(LitPicture, ALineOfOneTexelIsLitWithItsTwoSidesWhereverItRuns) {
+  constexpr int kSide = 128;
+  const PlainFace plain = make_plain_face({}, kSide);
+  for (const bool upright : {true, false}) {
+    for (const int line : {0, 1, 2, 30, 31, 32, 33, 63, 64, 95, 96, 125, 126, 127}) {
+      surface::HeightMap map = surface::HeightMap::create(kSide).value();
+      for (int row = 0; row < kSide; ++row)
+        for (int column = 0; column < kSide; ++column)
+          map.set(column, row, (upright ? column : row) == line ? 0.5F : 1.0F);
+      const SurfacePicture lit = lit_picture(map, {0.1, 0.01}, plain);
+      for (int place = 0; place < kSide; ++place) {
+        const int column = (upright ? place : 70) + plain.rim, row = (upright ? 70 : place) + plain.rim;
+        const auto texel = static_cast<std::size_t>(row * plain.size + column);
+        EXPECT_EQ(lit.heights[texel], place == line ? 128 : 255) << upright << ' ' << line << ' ' << place;
+        const bool as_plain = std::equal(lit.rgba.begin() + static_cast<std::ptrdiff_t>(texel * 4),
+                                         lit.rgba.begin() + static_cast<std::ptrdiff_t>(texel * 4 + 4),
+                                         plain.rgba.begin() + static_cast<std::ptrdiff_t>(texel * 4));
+        EXPECT_EQ(as_plain, std::abs(place - line) > 1) << upright << ' ' << line << ' ' << place;
+      }
+    }
+  }
+}
+
+TEST(LitPicture, NearAnEdgeTheTabletGoesOnAsItEndsThere) {
+  // The same valley at each side, so far from the corners that no ray sees them: the samples of the edge are
+  // repeated beyond it, so what is lit there is lit as in the middle of a valley that is twice as wide.
+  const PlainFace face = make_plain_face({Style::slate, Theme::light, Hand::right}, kSamples);
+  const auto is_low = [](double place, double first, double last) {
+    return place > (first - 0.5) / 127 && place < (last + 0.5) / 127 ? 0.4 : 1.0;
+  };
+  const Lit narrow = lit(map_of([&](double x, double) { return is_low(x, 0, 31); }), 0.03, face);
+  const Lit wide = lit(map_of([&](double x, double) { return is_low(x, 32, 95); }), 0.03, face);
+  for (const int samples : {4, 8, 16, 31})
+    EXPECT_NEAR(narrow.light((31 - samples) / 127.0, 0.5), wide.light((95 - samples) / 127.0, 0.5), 0.012)
+        << samples;
+}
+
+TEST(ExposureRow, IsBetweenTheSamplesOfTheCoarserLattice) {
+  Exposure exposure{3, {}};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      exposure.samples.push_back(
+          {static_cast<float>(column * column), static_cast<float>(row + 10 * column)});
+  ExposureRow between(exposure, 9);
+  for (int row = 0; row < 9; ++row) {
+    between.set_row(row);
+    for (int column = 0; column < 9; ++column) {
+      const float x = static_cast<float>(column) / 4;
+      // 0, 1, 4 at the samples.
+      EXPECT_FLOAT_EQ(between.at(column).key, x <= 1 ? x : 3 * x - 2);
+      EXPECT_FLOAT_EQ(between.at(column).sky, static_cast<float>(row) / 4 + 10 * x);
+    }
+  }
 }
 
 TEST(GreyPicture, ShowsEachHeightAsAGrey) {
