@@ -10,6 +10,7 @@
 #include "ink_map.h"
 #include "junctions.h"
 #include "model_fit.h"
+#include "nazori/scan/paper_alone.h"
 #include "stroke_guess.h"
 
 namespace nazori::author {
@@ -57,7 +58,7 @@ base::Result<std::vector<OwnStroke>> trace(const surface::HeightMap& map) {
 }
 
 base::Result<std::vector<OwnStroke>> trace(const scan::Photo& photo) {
-  const auto ink = ink_of(photo);
+  const auto ink = ink_of(scan::paper_alone(photo));
   if (!ink) return tl::unexpected(ink.error());
   return strokes_of(*ink);
 }
@@ -69,7 +70,7 @@ base::Result<std::vector<FittedStroke>> trace_as(const surface::HeightMap& map,
 
 base::Result<std::vector<FittedStroke>> trace_as(const scan::Photo& photo,
                                                  std::span<const kanji::StrokeLine> character) {
-  return fitted_to(photo, character);
+  return fitted_to(scan::paper_alone(photo), character);
 }
 
 }  // namespace nazori::author

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "connected.h"
+#include "reduced.h"
 
 namespace nazori::scan {
 namespace {
@@ -15,22 +16,6 @@ constexpr int kLongSide = 1800;       // pixels of the picture in which discs ar
 constexpr double kWindow = 1.0 / 12;  // of its long side: the neighbourhood that decides what is dark
 constexpr float kDark = 0.78F;        // of the mean brightness around
 constexpr std::size_t kMostBlobs = 28;
-
-/// The picture made smaller by a whole factor.
-Photo reduced(const Photo& photo, int factor) {
-  Photo small;
-  small.width = photo.width / factor;
-  small.height = photo.height / factor;
-  small.grey.reserve(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
-  for (int y = 0; y < small.height; ++y)
-    for (int x = 0; x < small.width; ++x) {
-      unsigned sum = 0;
-      for (int v = 0; v < factor; ++v)
-        for (int u = 0; u < factor; ++u) sum += photo.at(x * factor + u, y * factor + v);
-      small.grey.push_back(static_cast<std::uint8_t>(sum / static_cast<unsigned>(factor * factor)));
-    }
-  return small;
-}
 
 /// Which pixels are darker than what is around them.
 /// @source D. Bradley, G. Roth, "Adaptive thresholding using the integral image", 2007.
@@ -146,7 +131,7 @@ void refine(const Photo& photo, Blob& blob) {
 
 std::vector<Blob> find_discs(const Photo& photo) {
   const int factor = std::max(1, (std::max(photo.width, photo.height) + kLongSide - 1) / kLongSide);
-  const Photo small = factor > 1 ? reduced(photo, factor) : photo;
+  const Photo small = reduced(photo, factor);
   std::vector<std::uint8_t> dark = dark_pixels(small);
   // A disc is a fiftieth of the narrowest page.
   const double side = std::min(small.width, small.height);

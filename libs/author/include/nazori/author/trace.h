@@ -25,9 +25,9 @@ inline constexpr int kMostTracedStrokes = 160;
 /// @cost under a tenth of a second at 512 x 512. Thread-safe.
 [[nodiscard]] base::Result<std::vector<OwnStroke>> trace(const surface::HeightMap& map);
 
-/// The same for a photograph, a scan or a picture of dark writing on light paper. Light may be uneven. The
-/// ink, without specks, is placed in the middle of the glyph box, its larger side as large as that of a
-/// printed character. All depths are 1.
+/// The same for a photograph, a scan or a picture of dark writing on light paper. Light may be uneven, and
+/// the paper may lie on a darker table (see scan::paper_alone). The ink, without specks, is placed in the
+/// middle of the glyph box, its larger side as large as that of a printed character. All depths are 1.
 [[nodiscard]] base::Result<std::vector<OwnStroke>> trace(const scan::Photo& photo);
 
 /// A stroke of a known character as it was found in a picture.
