@@ -153,6 +153,8 @@ TEST_F(Inverse3, BeforePresetsTheTabletLiesInTheMiddleOfTheReachAllTheSame) {
       EXPECT_NEAR(plane.x_m, 0.01, 1e-12) << left;
       EXPECT_NEAR(plane.y_m, 0.02, 1e-12);
       device.device->stop();
+      // The service hears of the end a moment later, and the next device meets the same service.
+      EXPECT_TRUE(comes_true([&] { return force() == 0; }));
     }
   }
   EXPECT_EQ(service->malformed, 0);
