@@ -24,8 +24,8 @@ constexpr std::size_t kLargestSvg = std::size_t{8} << 20;
 constexpr int kDeepestGroup = 50;
 constexpr std::array<std::string_view, 4> kEndings{"stop", "hook", "taper", "either"};
 
-tl::unexpected<base::Error> refuse(std::string what, std::string where = {}) {
-  return base::fail(Errc::parse, std::move(what), std::move(where));
+tl::unexpected<base::Error> refuse(std::string what, std::string where = {}, std::string remedy = {}) {
+  return base::fail(Errc::parse, std::move(what), std::move(where), std::move(remedy));
 }
 
 /// The shortest text that gives the same number. Paths know no -0.
@@ -287,7 +287,9 @@ base::Result<OwnCharacter> parse_strokes_svg(std::string_view svg) {
     if (id.starts_with("kvg:StrokePaths")) paths = group;
     if (id.starts_with("kvg:StrokeNumbers")) numbers = group;
   }
-  if (!paths.child("g")) return refuse("has no strokes in a group kvg:StrokePaths");
+  if (!paths.child("g"))
+    return refuse("is a drawing, without strokes in a group kvg:StrokePaths", {},
+                  "find its strokes: nazori-cli author trace, or Ctrl+I on the page Workshop");
   SvgReader reader;
   if (auto read = reader.read_group(paths.child("g"), 0); !read)
     return tl::unexpected(std::move(read).error());

@@ -287,6 +287,57 @@ TEST(TracedInk, SquareEndsHaveNoWhiskers) {
   EXPECT_NEAR(stroke.points.front().half_width, 20 * 93.0 / 480, 0.5);
 }
 
+/// A picture of 600 x 600 with ink where `is_ink(x, y)`, the middle at 0, 0, and soft edges.
+scan::Photo inked(auto is_ink) {
+  scan::Photo photo{600, 600, {}};
+  for (int y = 0; y < 600; ++y)
+    for (int x = 0; x < 600; ++x) {
+      int dark = 0;
+      for (const double v : {-0.375, -0.125, 0.125, 0.375})
+        for (const double u : {-0.375, -0.125, 0.125, 0.375})
+          dark += is_ink(x - 300 + u, y - 300 + v) ? 1 : 0;
+      photo.grey.push_back(static_cast<std::uint8_t>(240 - 220 * dark / 16));
+    }
+  return photo;
+}
+
+TEST(TracedInk, ASquareEndOfALineThatLeansIsNoHook) {
+  for (int step = 0; step < 12; ++step) {
+    const double angle = step * 0.27, c = std::cos(angle), s = std::sin(angle);
+    for (const double half_width : {14.0, 24.0}) {
+      const auto found = trace(inked([&](double x, double y) {
+        return std::abs(x * c + y * s) < 230 && std::abs(y * c - x * s) < half_width;
+      }));
+      ASSERT_TRUE(found);
+      ASSERT_EQ(found->size(), 1U) << step;
+      EXPECT_EQ(found->front().ending, StrokeEnding::stop) << step;
+      for (const GroovePoint& p : found->front().points)
+        EXPECT_NEAR((p.at.y - 54.5) * c - (p.at.x - 54.5) * s, 0, 0.4) << step << ' ' << half_width;
+    }
+  }
+}
+
+TEST(TracedInk, ASquareEndOfABentLineIsNoHook) {
+  for (int step = 0; step < 12; ++step) {
+    const double turned = step * 0.53;
+    const auto found = trace(inked([&](double x, double y) {
+      const double angle = std::remainder(std::atan2(y, x) - turned, 2 * std::numbers::pi);
+      return std::abs(std::hypot(x, y) - 220) < 20 && std::abs(angle) < 0.9;
+    }));
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), 1U) << step;
+    EXPECT_EQ(found->front().ending, StrokeEnding::stop) << step;
+    // All points lie on one circle: its middle is where the perpendiculars of two chords meet.
+    const auto& points = found->front().points;
+    const GlyphPoint a = points.front().at, b = points[points.size() / 2].at, d = points.back().at;
+    const double ux = b.x - a.x, uy = b.y - a.y, vx = d.x - a.x, vy = d.y - a.y;
+    const double uu = ux * ux + uy * uy, vv = vx * vx + vy * vy, across = 2 * (ux * vy - uy * vx);
+    const GlyphPoint middle{a.x + (vy * uu - uy * vv) / across, a.y + (ux * vv - vx * uu) / across};
+    for (const GroovePoint& p : points)
+      EXPECT_NEAR(geometry::distance(p.at, middle) / geometry::distance(a, middle), 1, 0.02) << step;
+  }
+}
+
 TEST(TracedInk, BumpsOfTheRimAreNoStrokes) {
   // Discs on the rim whose tops are 0.36 of the half width above it.
   std::vector<OwnStroke> ink{drawn({{20, 50}, {90, 50}}, 5)};
