@@ -121,7 +121,7 @@ TEST(PaperAlone, IsTheSheetFromAboveHoweverTheCameraStood) {
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
   };
-  for (unsigned seed = 0; seed < 12; ++seed) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
     Scene scene;
     scene.tilt = between(-0.6, 0.6);
     scene.turn = between(-0.6, 0.6);

@@ -26,6 +26,7 @@
 #include "nazori/widgets/controls/panes.h"
 #include "nazori/widgets/controls/parts.h"
 #include "nazori/widgets/controls/status_line.h"
+#include "nazori/widgets/controls/wheel_guard.h"
 #include "nazori/widgets/look/appearance.h"
 #include "nazori/widgets/tablet/tablet_window.h"
 #include "nazori/widgets/words/kanji_text.h"
@@ -177,6 +178,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   learner_menu = new LearnerMenu(parts);
   for (const auto& group : learner_menu->actions().groups()) actions->add_menu(group);
   qApp->installEventFilter(new KeyGuard(&window));
+  qApp->installEventFilter(new WheelGuard(&window));
   window.menuBar()->setObjectName(QStringLiteral("menu_bar"));
   tool_bar = new ToolBar(*actions, &window);
   window.addToolBar(Qt::TopToolBarArea, tool_bar);
