@@ -417,6 +417,30 @@ TEST_F(WorkshopDetails, WhatCannotBePlottedIsSaidAndTheDialogStays) {
   EXPECT_EQ(character().strokes.size(), 1U);
 }
 
+TEST_F(WorkshopDetails, EnterInAFieldAndEscapeInThePanelGiveTheKeyboardBackToTheDrawing) {
+  auto* canvas = find<QWidget>("character_canvas");
+  press(Qt::Key_D);
+  auto* name = find<QLineEdit>("workshop_name");
+  ASSERT_TRUE(name->hasFocus());
+  QTest::keyClicks(name, "sign");
+  EXPECT_TRUE(name->hasFocus());
+  QTest::keyClick(name, Qt::Key_Return);
+  EXPECT_TRUE(canvas->hasFocus());
+  EXPECT_EQ(character().facts.name, "sign");
+  for (const char* field :
+       {"workshop_licence", "workshop_width", "workshop_strokes_list", "workshop_part_name"}) {
+    auto* widget = find<QWidget>(field);
+    widget->setFocus();
+    ASSERT_TRUE(widget->hasFocus()) << field;
+    QTest::keyClick(widget, Qt::Key_Escape);
+    EXPECT_TRUE(canvas->hasFocus()) << field;
+  }
+  auto* strokes = find<QListWidget>("workshop_strokes_list");
+  strokes->setFocus();
+  QTest::keyClick(strokes, Qt::Key_Return);
+  EXPECT_TRUE(strokes->hasFocus()) << "Enter in a list is the list's";
+}
+
 TEST_F(WorkshopDetails, NoKeyIsGivenTwiceAndEveryFieldHasAName) {
   QStringList keys;
   for (const auto* entry : window_->findChildren<QAction*>())

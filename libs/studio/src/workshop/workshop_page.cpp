@@ -241,6 +241,7 @@ void WorkshopPage::connect_panel() {
   connect(panel_, &WorkshopPanel::depth_moved, this, [this](std::size_t point, double value, bool goes_on) {
     bench_->set_depth(point, value, goes_on);
   });
+  connect(panel_, &WorkshopPanel::left, this, [this] { canvas_->setFocus(); });
   connect(panel_, &WorkshopPanel::curve_said, this,
           [this](const QString& sentence) { parts().respond(Feedback::hint, sentence); });
   connect(panel_, &WorkshopPanel::text_refused, this,

@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QFontInfo>
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -260,6 +261,15 @@ void WorkshopPanel::show_findings(const std::vector<author::Finding>& findings, 
   findings_words_->setText(!checked           ? tr("Not checked yet.")
                            : findings.empty() ? tr("✓ Nothing was found.")
                                               : tr("%n remarks", nullptr, static_cast<int>(findings.size())));
+}
+
+void WorkshopPanel::keyPressEvent(QKeyEvent* event) {
+  const bool ends_field = (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) &&
+                          qobject_cast<QLineEdit*>(window()->focusWidget()) != nullptr;
+  if (ends_field || event->key() == Qt::Key_Escape)
+    emit left();
+  else
+    QScrollArea::keyPressEvent(event);
 }
 
 void WorkshopPanel::focus_name() {

@@ -62,6 +62,11 @@ class WorkshopPanel final : public QScrollArea {
   /// What was typed into a field cannot be read. The field shows what it had before.
   void text_refused(const QString& sentence);
   void finding_chosen(const nazori::author::Finding& finding);
+  /// Enter ended a field, or Escape was pressed anywhere in the panel: the keyboard belongs to the drawing.
+  void left();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void send_facts();
