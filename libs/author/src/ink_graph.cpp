@@ -134,10 +134,12 @@ class Reader {
   std::vector<std::uint8_t> done_;
 };
 
-/// The free end of a branch without the part that runs into the rim of a round end: the last point whose disc
-/// does not cover what comes after it.
+/// The free end of a branch without the part that runs into the rim of a round end or into one corner of a
+/// square end: the last point whose disc covers nearly all that comes after it.
 GridPoint end_without_rim(const Branch& branch, bool at_front, const InkMap& map) {
   constexpr double kInRadii = 0.1;
+  // A corner reaches 0.41 radii beyond a disc. One sharper than 84 degrees is the tip of a sweep.
+  constexpr double kOfCorner = 0.5;
   constexpr double kLeast = 0.8;
   const std::size_t count = branch.points.size();
   const auto at = [&](std::size_t i) { return at_front ? branch.points[i] : branch.points[count - 1 - i]; };
@@ -146,7 +148,8 @@ GridPoint end_without_rim(const Branch& branch, bool at_front, const InkMap& map
   for (std::size_t i = 1; i < count; ++i) {
     const double radius = radius_at(map.distance, at(i));
     const double beyond = geometry::distance(at(0), at(i)) + rim - radius;
-    if (beyond <= kInRadii * radius + kLeast) best = i;
+    const bool in_corner = !map.is_groove && rim < radius / 2;
+    if (beyond <= (in_corner ? kOfCorner : kInRadii) * radius + kLeast) best = i;
     if (static_cast<double>(i) > 2 * radius + 4) break;
   }
   return at(best);

@@ -42,7 +42,7 @@ QStringList table_of(const ActionSet& set) {
 
 QStringList lines(const char* text) { return QString::fromUtf8(text).trimmed().split(QLatin1Char('\n')); }
 
-/// Every action says what it does, in words of its own, and its menu letter is its own in its menu.
+/// Every action says what it does, in words of its own.
 void expect_words(const ActionSet& set) {
   for (const auto& group : set.groups()) {
     QStringList texts;

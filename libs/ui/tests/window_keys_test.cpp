@@ -122,6 +122,32 @@ TEST_F(Keys, EveryMenuEntryShowsAKeyAndNoKeyIsGivenTwice) {
   EXPECT_EQ(keys.removeDuplicates(), 0);
 }
 
+TEST_F(Keys, EachEntryOfAMenuHasALetterOfItsOwnOnEveryPageInBothLanguages) {
+  for (const char* language : {"en", "ja"}) {
+    window_.reset();
+    install_language(QString::fromLatin1(language));
+    open_window();
+    auto* bar = find<QMenuBar>("menu_bar");
+    const auto expect_letters = [&](const QList<QAction*>& entries, const QString& where) {
+      QString letters;
+      for (const auto* entry : entries) {
+        if (entry->isSeparator() || !entry->isVisible()) continue;
+        const auto mark = entry->text().indexOf(QLatin1Char('&'));
+        EXPECT_GE(mark, 0) << where.toStdString() << ": " << entry->text().toStdString();
+        const QChar letter = entry->text().at(mark + 1).toLower();
+        EXPECT_FALSE(letters.contains(letter)) << where.toStdString() << ": " << entry->text().toStdString();
+        letters += letter;
+      }
+    };
+    for (int page = Qt::Key_1; page <= Qt::Key_7; ++page) {
+      press(static_cast<Qt::Key>(page), Qt::AltModifier);
+      expect_letters(bar->actions(), QStringLiteral("page %1").arg(page - Qt::Key_0));
+      for (const auto* title : bar->actions()) expect_letters(title->menu()->actions(), title->text());
+    }
+  }
+  install_language(QStringLiteral("en"));
+}
+
 TEST_F(Keys, TheTextGrowsFrom12To28PointsAndNoFurther) {
   // Each step needs a new layout of the window, so the test starts shortly before the last size.
   window_.reset();

@@ -57,7 +57,7 @@ struct Form {
 
 TEST(WheelGuard, OverANumberAChoiceAndASliderTheWheelScrollsTheForm) {
   const Form form;
-  for (QWidget* widget : std::initializer_list<QWidget*>{form.number, form.choice, form.slider}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{form.slider, form.number, form.choice}) {
     form.area->verticalScrollBar()->setValue(0);
     form.turn_wheel_over(widget);
     EXPECT_GT(form.area->verticalScrollBar()->value(), 0) << widget->metaObject()->className();

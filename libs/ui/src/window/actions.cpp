@@ -6,6 +6,8 @@
 #include <QMenuBar>
 #include <QScreen>
 
+#include "nazori/widgets/controls/menu_letters.h"
+
 namespace nazori::ui {
 namespace {
 
@@ -20,6 +22,9 @@ int room_below(const QMenuBar& bar, const QMenu& menu) {
 
 /// Entries that do not fit go into a submenu at the end.
 void fill(QMenu& menu, const QList<QAction*>& actions, int room, const QString& rest) {
+  QList<QAction*> entries = actions;
+  entries.removeAll(nullptr);
+  give_own_letters(entries);
   menu.clear();
   for (auto* old : menu.findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) delete old;
   for (auto* action : actions)
@@ -186,6 +191,7 @@ void Actions::enter(const Page& page, QMenuBar* bar) {
       fill(*menu, entries, room_below(*bar, *menu), tr("More"));
     });
   }
+  give_own_letters(bar->actions());
 }
 
 }  // namespace nazori::ui
