@@ -3,6 +3,7 @@
 
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QScrollArea>
 #include <QSlider>
@@ -15,10 +16,11 @@ bool takes_wheel(const QWidget* widget) {
          qobject_cast<const QComboBox*>(widget) != nullptr || qobject_cast<const QSlider*>(widget) != nullptr;
 }
 
-bool is_in_form(const QWidget* widget) {
-  for (; widget != nullptr && !widget->isWindow(); widget = widget->parentWidget())
-    if (qobject_cast<const QScrollArea*>(widget) != nullptr) return true;
-  return false;
+/// The form in which a control lies; nullptr without one.
+QScrollArea* form_of(QWidget* control) {
+  for (auto* widget = control; widget != nullptr && !widget->isWindow(); widget = widget->parentWidget())
+    if (auto* form = qobject_cast<QScrollArea*>(widget)) return form;
+  return nullptr;
 }
 
 }  // namespace
@@ -29,8 +31,10 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
   // The wheel would give these the keyboard before they are asked.
   if (event->type() == QEvent::Polish && widget->focusPolicy() == Qt::WheelFocus)
     widget->setFocusPolicy(Qt::StrongFocus);
-  if (event->type() != QEvent::Wheel || widget->hasFocus() || !is_in_form(widget)) return false;
-  event->ignore();
+  if (event->type() != QEvent::Wheel || widget->hasFocus()) return false;
+  auto* form = form_of(widget);
+  if (form == nullptr) return false;
+  QCoreApplication::sendEvent(form->viewport(), event);
   return true;
 }
 
