@@ -428,7 +428,7 @@ TEST_F(WorkshopDetails, EnterInAFieldAndEscapeInThePanelGiveTheKeyboardBackToThe
   EXPECT_TRUE(canvas->hasFocus());
   EXPECT_EQ(character().facts.name, "sign");
   for (const char* field :
-       {"workshop_licence", "workshop_width", "workshop_strokes_list", "workshop_part_name"}) {
+       {"workshop_licence", "workshop_width", "workshop_strokes_list", "workshop_radical"}) {
     auto* widget = find<QWidget>(field);
     widget->setFocus();
     ASSERT_TRUE(widget->hasFocus()) << field;
