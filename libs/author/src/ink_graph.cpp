@@ -138,21 +138,34 @@ class Reader {
 /// square end: the last point whose disc covers nearly all that comes after it.
 GridPoint end_without_rim(const Branch& branch, bool at_front, const InkMap& map) {
   constexpr double kInRadii = 0.1;
-  // A corner reaches 0.41 radii beyond a disc. One sharper than 84 degrees is the tip of a sweep.
+  // A corner reaches 0.41 radii beyond a disc, and lies aside by 45 degrees. The tip of a sweep lies ahead.
   constexpr double kOfCorner = 0.5;
+  constexpr double kAside = 0.866;  // cosine
   constexpr double kLeast = 0.8;
   const std::size_t count = branch.points.size();
   const auto at = [&](std::size_t i) { return at_front ? branch.points[i] : branch.points[count - 1 - i]; };
   const double rim = radius_at(map.distance, at(0));
+  const auto covers = [&](std::size_t i, double in_radii) {
+    const double radius = radius_at(map.distance, at(i));
+    return geometry::distance(at(0), at(i)) + rim - radius <= in_radii * radius + kLeast;
+  };
+  const auto end_lies_aside = [&](std::size_t i, double radius) {
+    const GridPoint inside = at(std::min(count - 1, i + static_cast<std::size_t>(radius)));
+    const GridPoint along = at(i) - inside, out = at(0) - at(i);
+    return along.x * out.x + along.y * out.y <
+           kAside * std::hypot(along.x, along.y) * std::hypot(out.x, out.y);
+  };
   std::size_t best = 0;
+  std::size_t corner = 0;
   for (std::size_t i = 1; i < count; ++i) {
     const double radius = radius_at(map.distance, at(i));
-    const double beyond = geometry::distance(at(0), at(i)) + rim - radius;
-    const bool in_corner = !map.is_groove && rim < radius / 2;
-    if (beyond <= (in_corner ? kOfCorner : kInRadii) * radius + kLeast) best = i;
+    if (covers(i, kInRadii)) best = i;
+    if (covers(i, kOfCorner) && end_lies_aside(i, radius)) corner = i;
     if (static_cast<double>(i) > 2 * radius + 4) break;
   }
-  return at(best);
+  const bool is_in_corner =
+      !map.is_groove && radius_at(map.distance, at(best)) < radius_at(map.distance, at(corner)) / 2;
+  return at(is_in_corner ? corner : best);
 }
 
 /// By how much the ink around the free end of a branch reaches beyond the disc at its node [samples].
