@@ -168,6 +168,35 @@ TEST(PaperAlone, OfASheetThatReachesBeyondThePictureTheTableGoes) {
   EXPECT_GT(ink, 0.004 * cut.width * cut.height);
 }
 
+TEST(PaperAlone, OfASheetThatIsWiderThanThePictureTheTableGoesAboveAndBelow) {
+  // 297 mm across at 300 mm: 380 of 360 pixels and more; 150 mm high: 192 of 360.
+  for (const double y : {-25.0, 0.0, 25.0}) {
+    Scene scene;
+    scene.width = 500;
+    scene.height = 150;
+    scene.distance = 300;
+    scene.tilt = scene.turn = 0;
+    scene.roll = 0.02;
+    scene.fall_off = 0;
+    scene.middle = {0, y};
+    scene.dots = {{200, 50}, {260, 110}, {310, 60}};
+    const Photo cut = paper_alone(photographed(scene));
+    EXPECT_EQ(cut.width, kWidth);
+    EXPECT_NEAR(cut.height, 150 / 300.0 * 0.8 * kWidth, 16) << y;
+    const auto table =
+        std::count_if(cut.grey.begin(), cut.grey.end(), [](auto v) { return v > 70 && v < 120; });
+    EXPECT_LT(static_cast<double>(table), 0.004 * static_cast<double>(cut.grey.size())) << y;
+  }
+}
+
+TEST(PaperAlone, ASheetAndAsBrightATableAreNotToldApart) {
+  Scene scene;
+  scene.fall_off = 0;
+  scene.table = 0.97 * scene.paper;
+  const Photo photo = photographed(scene);
+  EXPECT_EQ(paper_alone(photo).grey, photo.grey);
+}
+
 /// Dark writing on paper that fills the picture: `ink(x, y)` for 0..1.
 Photo drawn(auto ink) {
   Photo photo{400, 400, {}};

@@ -183,6 +183,24 @@ TEST(LitPicture, BesideAWallTheLampIsHiddenAndTheSkyHalf) {
   EXPECT_NEAR(light(0.3), 1, 0.006);
 }
 
+TEST(LitPicture, AWallAboveHidesTheLampForBothHandsAndOneBelowForNone) {
+  constexpr double kDepth = 0.03;
+  for (const Hand hand : {Hand::right, Hand::left}) {
+    const Look look{Style::wood, Theme::light, hand};
+    const Lit above = lit(map_of([](double, double y) { return y < 0.5 ? 1.0 : 0.0; }), kDepth, look);
+    const Lit below = lit(map_of([](double, double y) { return y > 0.5 ? 1.0 : 0.0; }), kDepth, look);
+    const glm::dvec3 lamp(light_direction(hand));
+    // How far below the wall the middle of the shadow's edge lies.
+    const double reach = kDepth / 0.1 * kShaded / lamp.z * lamp.y;
+    EXPECT_NEAR(above.light(0.4, 63.0 / 127 + reach), kSky + kKey / 2, 0.05);
+    EXPECT_LT(above.light(0.4, 63.0 / 127 + reach / 3), kSky);
+    EXPECT_NEAR(above.light(0.4, 63.0 / 127 + 0.3), 1, 0.006);
+    // Only sky is lost there: half of it beside the wall.
+    EXPECT_GT(below.light(0.4, 64.0 / 127 - reach / 3), kKey + kSky * 0.45);
+    EXPECT_NEAR(below.light(0.4, 64.0 / 127 - 0.3), 1, 0.006);
+  }
+}
+
 TEST(LitPicture, LightBetweenWallsTakesTheirColour) {
   // A narrow pit: the light on its floor is reflected by the wood.
   const Lit pit = lit(map_of([](double x, double) { return std::abs(x - 0.5) < 0.04 ? 0.0 : 1.0; }), 0.03);
