@@ -200,6 +200,14 @@ TEST(AnkiNotes, HaveNumbersThatStayWhateverElseIsInThePackage) {
               ElementsAre("2"));
 }
 
+TEST(AnkiNotes, KeepTheNumbersOfTheFirstPackages) {
+  // An Anki that imported an older package finds its notes by these numbers. 休 is U+4F11, 20241.
+  const Package package(U"休");
+  EXPECT_THAT(package.rows("SELECT id, mid FROM notes"), ElementsAre("1763700120241|1763700000001"));
+  EXPECT_THAT(package.rows("SELECT id, nid, did FROM cards"),
+              ElementsAre("1763702020241|1763700120241|1763700000002"));
+}
+
 TEST(AnkiNotes, AreNewCardsInTheOrderThatWasGiven) {
   const Package package(U"木休一木");
   EXPECT_THAT(
