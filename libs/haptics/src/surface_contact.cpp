@@ -100,7 +100,7 @@ Place crossing(const TabletSurface& surface, const Vec3& from, const Vec3& to) n
   const double step = (1 - t0) / steps;
   double t1 = 1, g1 = 0;
   for (int i = 1; i <= steps; ++i) {
-    t1 = i < steps ? t0 + step : 1.0;
+    t1 = 1 - (steps - i) * step;
     g1 = gap(t1);
     if (g1 <= 0) break;
     t0 = t1;
