@@ -66,7 +66,8 @@ struct System {
   bool begun = false, haptics = false;
 };
 
-double unit(Sint16 axis) { return std::clamp(axis / 32767.0, -1.0, 1.0); }
+// An axis reaches from -32768 to 32767.
+double unit(Sint16 axis) { return std::max(axis / 32767.0, -1.0); }
 
 class SystemController final : public Controller {
  public:
