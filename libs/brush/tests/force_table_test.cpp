@@ -51,6 +51,36 @@ TEST(ForceTable, ThePushIsTheSlopeOfTheEnergy) {
     }
 }
 
+TEST(ForceTable, BetweenItsValuesThePushIsInProportion) {
+  const double hair = number_4().form().hair_m;
+  const auto push = [&](double depth, double lean) { return number_4().push_n(depth * hair, lean); };
+  for (const double lean : {0.0, 0.3, 1.0}) {
+    const double low = push(0.12, lean), high = push(0.13, lean);
+    ASSERT_GT(std::abs(high - low), 1e-6);
+    EXPECT_NEAR(push(0.1225, lean), 0.75 * low + 0.25 * high, 1e-12) << lean;
+    EXPECT_NEAR(push(0.12, lean + 0.025), 0.75 * low + 0.25 * push(0.12, lean + 0.1), 1e-9) << lean;
+  }
+  EXPECT_EQ(push(0.2, -1), push(0.2, 0));
+  EXPECT_EQ(push(0.2, std::numeric_limits<double>::quiet_NaN()), push(0.2, 0));
+  EXPECT_NEAR(push(0.2, 1.1 - 1e-9), push(0.2, 1.1), 1e-6);
+  EXPECT_LT(push(1e-6, 0.3), 1e-3 * push(0.01, 0.3)) << "it begins at nothing";
+}
+
+TEST(ForceTable, TheEnergyIsTheSumOfThePush) {
+  const double hair = number_4().form().hair_m;
+  for (const double lean : {0.0, 0.55, 1.1}) {
+    double sum = 0;
+    constexpr int kParts = 4000;
+    for (int i = 0; i < kParts; ++i) sum += number_4().push_n((i + 0.5) / kParts * 0.345 * hair, lean);
+    sum *= 0.345 * hair / kParts;
+    EXPECT_NEAR(number_4().stored_j(0.345 * hair, lean), sum, 1e-5 * sum) << lean;
+    const double deepest = number_4().push_n(hair, lean);
+    EXPECT_NEAR(number_4().stored_j(0.7 * hair, lean) - number_4().stored_j(0.6 * hair, lean),
+                deepest * 0.1 * hair, 1e-9)
+        << "deeper it pushes as there";
+  }
+}
+
 TEST(ForceTable, PushesMoreTheDeeperALeaningBrushIsPressed) {
   const double hair = number_4().form().hair_m;
   double before = 0;
@@ -93,6 +123,19 @@ TEST(SoftTip, StrengthenedIsFourTimesAsMuchUpToOneNewton) {
     EXPECT_NEAR(strong.push_n[i], std::min(1.0, 4 * truly.push_n[i]), 1e-12);
   EXPECT_NEAR(strong.sideways_n_m, 4 * truly.sideways_n_m, 1e-9);
   EXPECT_EQ(strong.friction, truly.friction);
+}
+
+TEST(SoftTip, HasAStepOfTheTableTheStiffnessOfABeamAndATowOfTwoFifths) {
+  const TuftForm& form = number_4().form();
+  for (const double wetness : {0.0, 0.5, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    const haptics::SoftTip tip = soft_tip(number_4(), 0.3, wetness, Feel::true_force);
+    EXPECT_EQ(tip.push_n.size(), 61U);
+    EXPECT_DOUBLE_EQ(tip.step_m, 0.01 * form.hair_m);
+    EXPECT_DOUBLE_EQ(tip.tow_m, 0.4 * form.hair_m);
+    EXPECT_DOUBLE_EQ(tip.sideways_n_m, 12 * form.stiffness_n_m2 / (form.hair_m * form.hair_m * form.hair_m));
+    EXPECT_DOUBLE_EQ(tip.friction, form.friction(std::isfinite(wetness) ? wetness : 0).paper);
+    EXPECT_DOUBLE_EQ(tip.along_hair, 0.4);
+  }
 }
 
 TEST(SoftTip, OfADryBrushRubsMore) {

@@ -141,6 +141,53 @@ TEST(HeldBrush, AStrokeEndsUnderThePenThatIsLifted) {
   EXPECT_LT(geometry::distance(swept.back().to, {0.02, 0}), 0.004);
 }
 
+/// The longest time in which a bristle made its way [s].
+double longest_s(std::span<const geometry::BristleSegment> swept) {
+  double longest = 0;
+  for (const auto& segment : swept) {
+    const double way = geometry::distance(segment.from, segment.to);
+    if (way > 2e-6 && segment.speed_m_s > 0) longest = std::max(longest, way / segment.speed_m_s);
+  }
+  return longest;
+}
+
+TEST(HeldBrush, TheTipComesDownInHalfAMillisecondOrTheTimeThereIs) {
+  const auto comes_down = [](double seconds) {
+    HeldBrush brush(medium());
+    EXPECT_TRUE(brush.move(pen(1, {}, false), 1).empty());
+    return longest_s(brush.move(pen(1 + seconds, {}, true), 1));
+  };
+  EXPECT_GT(comes_down(0.01), 1e-5);
+  EXPECT_NEAR(comes_down(0.0005), comes_down(0.01), 1e-3 * comes_down(0.01));
+  EXPECT_NEAR(comes_down(0.0002), 0.4 * comes_down(0.01), 1e-3 * comes_down(0.01));
+}
+
+TEST(HeldBrush, TheTipLeavesThePaperInHalfOfTheTimeOfAReport) {
+  HeldBrush brush(medium());
+  for (int i = 0; i <= 40; ++i) static_cast<void>(brush.move(pen(0.01 * (i + 1), {0.0005 * i, 0}, true), 1));
+  const auto swept = brush.move(pen(0.43, {0.02, 0}, false), 1);
+  EXPECT_GT(longest_s(swept), 0);
+  EXPECT_LE(longest_s(swept), 0.01 * (1 + 1e-9)) << "half of 20 ms";
+  for (const auto& segment : swept) {
+    if (geometry::distance(segment.from, segment.to) > 1e-5) {
+      EXPECT_GT(segment.speed_m_s, 0);
+    }
+  }
+}
+
+TEST(HeldBrush, AResetBrushIsStraightAndWhereThePenWas) {
+  HeldBrush brush(medium());
+  static_cast<void>(brush.move(pen(0.01, {0.01, 0.02}, true), 0.4));
+  EXPECT_EQ(brush.tuft().wetness(), 0.4);
+  EXPECT_TRUE(brush.pen().is_down());
+  EXPECT_EQ(brush.pen().at, (geometry::PaperPoint{0.01, 0.02}));
+  EXPECT_EQ(brush.pen().time_s, 0.01);
+  ASSERT_TRUE(brush.tuft().touching());
+  brush.reset();
+  EXPECT_FALSE(brush.tuft().touching());
+  EXPECT_EQ(brush.pen().time_s, 0.01);
+}
+
 TEST(HeldBrush, OtherHandlingCountsFromTheNextMoveOn) {
   const auto depth_of = [](double full_depth) {
     HeldBrush brush(medium());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace nazori::brush {
 namespace {
@@ -115,6 +116,39 @@ TEST(PenToHolder, TheGuessBeginsAgainWhereThePenComesDownAgain) {
   for (int i = 0; i < 50; ++i) (void)holder.next(pen(0.01 * i, 0));
   PenSample up = pen(0.6, 0);
   up.down = false;
+  (void)holder.next(up);
+  EXPECT_DOUBLE_EQ(holder.next(pen(0.7, 0)).depth_m, kTouchPressure * 0.35 * 0.055);
+}
+
+TEST(PenToHolder, TheGuessGoesFromSlowToFastByTheRatioOfSpeeds) {
+  Handling handling;
+  handling.slow_m_s = 0.01;
+  handling.fast_m_s = 0.16;
+  handling.settles_s = 0;  // at once
+  for (const auto& [speed, share] :
+       {std::pair{0.01, 0.0}, {0.02, 0.25}, {0.04, 0.5}, {0.08, 0.75}, {0.16, 1.0}, {1.0, 1.0}})
+    EXPECT_NEAR(guessed(speed, 0.1, 100, handling), 0.75 - 0.6 * share, 1e-9) << speed;
+  // Speeds that are none count as the slowest there are.
+  handling.slow_m_s = handling.fast_m_s = 0;
+  EXPECT_NEAR(guessed(0, 0.1, 100, handling), kSlowPressure, 1e-12);
+  EXPECT_NEAR(guessed(0.9e-6, 0.1, 100, handling), kSlowPressure, 1e-12);
+  EXPECT_NEAR(guessed(2.1e-6, 0.1, 100, handling), kFastPressure, 1e-12);
+}
+
+TEST(PenToHolder, AReportAtTheSameTimeChangesNoGuess) {
+  PenToHolder holder(number_4(), {});
+  (void)holder.next(pen(0, 0));
+  const double before = holder.next(pen(0.01, 0.0001)).depth_m;
+  EXPECT_EQ(holder.next(pen(0.01, 0.02)).depth_m, before);
+}
+
+TEST(PenToHolder, TheGuessBeginsAgainAfterAPenThatToldItsPressure) {
+  PenToHolder holder(number_4(), {});
+  for (int i = 0; i < 50; ++i) (void)holder.next(pen(0.01 * i, 0));
+  PenSample up = pen(0.6, 0, 0.9);
+  up.down = false;
+  EXPECT_EQ(holder.next(up).depth_m, -0.005);
+  up.pressure.reset();
   (void)holder.next(up);
   EXPECT_DOUBLE_EQ(holder.next(pen(0.7, 0)).depth_m, kTouchPressure * 0.35 * 0.055);
 }

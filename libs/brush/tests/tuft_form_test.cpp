@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 
 namespace nazori::brush {
 namespace {
@@ -67,11 +68,51 @@ TEST(TuftForm, FrictionGoesInProportionFromDryToWetAndNoFurther) {
   EXPECT_LT(form.wet.inner_share, form.dry.inner_share);
 }
 
+TEST(TuftForm, EachKindOfHairHasItsFrictionAndStiffness) {
+  struct Kind {
+    Hair hair;
+    double stiffness_n_m2, paper, keeps_rad;
+  };
+  for (const Kind& kind : {Kind{Hair::goat, 1e-4, 0.30, 0.16}, Kind{Hair::mixed, 2e-4, 0.28, 0.12},
+                           Kind{Hair::weasel, 3e-4, 0.25, 0.06}}) {
+    const TuftForm form = *tuft_form(4, kind.hair);
+    EXPECT_DOUBLE_EQ(form.stiffness_n_m2, kind.stiffness_n_m2);
+    EXPECT_DOUBLE_EQ(form.wet.paper, kind.paper);
+    EXPECT_DOUBLE_EQ(form.dry.paper, 1.3 * kind.paper);
+    EXPECT_DOUBLE_EQ(form.wet.keeps_rad, kind.keeps_rad);
+    EXPECT_DOUBLE_EQ(form.dry.keeps_rad, 0.3 * kind.keeps_rad);
+  }
+}
+
+TEST(TuftForm, AllBrushesHaveTheSameSpineAndYield) {
+  for (const int number : {1, 6}) {
+    const TuftForm form = *tuft_form(number, Hair::goat, HairLength::long_hair);
+    EXPECT_DOUBLE_EQ(form.root_radius_m, 0.4 * form.shaft_m);
+    EXPECT_EQ(form.spine.segments, 6);
+    EXPECT_EQ(form.spine.tip_segment, 0.5);
+    EXPECT_EQ(form.spine.taper, 0.1);
+    EXPECT_EQ(form.spine.taper_power, 2);
+    EXPECT_DOUBLE_EQ(form.spine.thickness, 0.35 * 0.4 / 6.75) << "of the radius at the root over the hair";
+    for (const SpineFriction& friction : {form.wet, form.dry}) {
+      EXPECT_EQ(friction.along_hair, 0.4);
+      EXPECT_EQ(friction.exponent, 2);
+      EXPECT_EQ(friction.inner_rad, 0.02);
+    }
+    EXPECT_EQ(form.wet.yield_rad, 0.15);
+    EXPECT_EQ(form.dry.yield_rad, 0.25);
+    EXPECT_EQ(form.wet.inner_share, 0.10);
+    EXPECT_EQ(form.dry.inner_share, 0.20);
+  }
+}
+
 TEST(TuftForm, ThereIsNoBrushBeyondTheNumbers) {
   for (const int number : {0, 7, -1}) {
     const auto form = tuft_form(number);
     ASSERT_FALSE(form.has_value());
     EXPECT_EQ(form.error().code, base::Errc::bad_argument);
+    EXPECT_EQ(form.error().what,
+              "there is no brush No. " + std::to_string(number) + "; brushes have the numbers 1 to 6");
+    EXPECT_EQ(form.error().where, "brush");
   }
 }
 
