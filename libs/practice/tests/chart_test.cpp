@@ -174,6 +174,20 @@ TEST(ChartLooks, LinesAreToldApartByDashesAndMarks) {
   EXPECT_EQ(bars_look().form, SeriesLook::Form::bars);
 }
 
+TEST(ChartLooks, BarsAreFilledAndLinesHaveTheColourOfTheirMarks) {
+  const auto plain = [](ColourRole role) { return Colour{role, role, 0}; };
+  EXPECT_EQ(bars_look().edge, plain(ColourRole::accent));
+  EXPECT_EQ(bars_look().fill, (Colour{ColourRole::surface, ColourRole::accent, 0.55}));
+  EXPECT_FALSE(bars_look().dashed);
+  EXPECT_EQ(bars_look().mark, SeriesLook::Mark::none);
+  EXPECT_EQ(first_line_look().edge, plain(ColourRole::text));
+  EXPECT_EQ(first_line_look().fill, plain(ColourRole::text));
+  EXPECT_EQ(first_line_look().mark, SeriesLook::Mark::disc);
+  EXPECT_EQ(second_line_look().edge, plain(ColourRole::accent));
+  EXPECT_EQ(second_line_look().fill, plain(ColourRole::surface));
+  EXPECT_EQ(second_line_look().mark, SeriesLook::Mark::square);
+}
+
 TEST(ChartLooks, ALineOfManyRowsHasNoMarks) {
   const auto marked = [](std::size_t rows, const SeriesLook& look) {
     const Chart chart = chart_of({{std::vector<double>(rows, 1.0), look}});

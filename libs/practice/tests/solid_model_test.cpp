@@ -4,9 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "learner_under_test.h"
 #include "nazori/functions/drawing.h"
@@ -133,6 +135,53 @@ TEST(ReliefPicture, ShowsASlopeTowardsTheLightBrighterThanOneAwayFromIt) {
   int holes = 0;
   for (int y = 0; y < picture.height / 4; ++y) holes += grey(picture.width / 2, y) < 40 ? 1 : 0;
   EXPECT_GT(holes, 2);
+}
+
+TEST(ReliefPicture, IsOfTheGreyThatASlopeHasInLightFromTheUpperLeft) {
+  // 10 x 6 mm with a sample each half millimetre; the map rises by its whole height over 10 mm.
+  const auto picture = [](double rise_right_mm, double rise_up_mm) {
+    auto plate = model::Plate::create(10, 6, 0.5, 3).value();
+    auto map = surface::HeightMap::create(21).value();
+    for (int row = 0; row < 21; ++row)
+      for (int column = 0; column < 21; ++column)
+        map.set(column, row,
+                static_cast<float>((rise_right_mm * column + rise_up_mm * (20 - row)) / 20 / 10));
+    plate.put(map, {0, 0}, 10, 10);
+    return relief_picture(plate, 100);
+  };
+  const auto flat = picture(0, 0);
+  EXPECT_EQ(flat.width, 20);
+  EXPECT_EQ(flat.height, 12);
+  ASSERT_EQ(flat.grey.size(), 240U);
+  // 0.72 of white on level ground; a slope of 1 turns the light by 45 degrees.
+  EXPECT_EQ(flat.grey[35], 184);
+  EXPECT_EQ(picture(10, 0).grey[35], std::lround((0.72 + 0.4 / 2) * 255));
+  EXPECT_EQ(picture(0, 10).grey[35], std::lround((0.72 - 0.4 / 2) * 255));
+  EXPECT_EQ(picture(5, 5).grey[35], 184) << "as much towards the light as away from it";
+}
+
+TEST(ReliefPicture, HasAsManySamplesAsAreAskedForAtMost) {
+  const auto plate = model::Plate::create(20, 10, 0.5, 3).value();  // 41 x 21 samples
+  for (const auto& [most, step] : {std::pair{41, 1}, {100, 1}, {40, 2}, {21, 2}, {20, 3}}) {
+    const auto picture = relief_picture(plate, most);
+    EXPECT_EQ(picture.width, 40 / step) << most;
+    EXPECT_EQ(picture.height, 20 / step) << most;
+    EXPECT_EQ(picture.grey.size(), static_cast<std::size_t>((40 / step) * (20 / step)));
+  }
+}
+
+TEST(ReliefPicture, AHoleIsDarkAndInItsPlaceFromTheTop) {
+  auto plate = model::Plate::create(30, 20, 0.25, 3).value();
+  ASSERT_TRUE(plate.add_hole({{8, 15}, 2}));
+  const auto picture = relief_picture(plate, 1000);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      // The sample at the lower left of each square of the picture.
+      const double dx = 0.25 * x - 8, dy = 20 - 0.25 * (y + 1) - 15;
+      ASSERT_EQ(picture.grey[static_cast<std::size_t>(y * picture.width + x)],
+                dx * dx + dy * dy < 4 ? 26 : 184)
+          << x << " " << y;
+    }
 }
 
 class SolidMakerTest : public LearnerTest {

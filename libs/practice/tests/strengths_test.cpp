@@ -37,6 +37,31 @@ TEST(Strengths, TheBetterKnownTheMoreAccentHasTheFill) {
   EXPECT_LT(share(Strength::young), share(Strength::mature));
 }
 
+TEST(Strengths, EachHasItsLook) {
+  const auto plain = [](ColourRole role) { return Colour{role, role, 0}; };
+  const auto over = [](ColourRole role, double share) { return Colour{ColourRole::surface, role, share}; };
+  struct Look {
+    Strength strength;
+    Colour fill;
+    ColourRole text;
+    char32_t sign;
+    double bar;
+  };
+  for (const Look& look :
+       {Look{Strength::unseen, plain(ColourRole::surface), ColourRole::muted, 0, 0},
+        Look{Strength::learning, over(ColourRole::accent, 0.10), ColourRole::text, U'◔', 0.3},
+        Look{Strength::young, over(ColourRole::accent, 0.30), ColourRole::text, U'◑', 0.6},
+        Look{Strength::mature, plain(ColourRole::accent), ColourRole::surface, U'●', 1},
+        Look{Strength::leech, over(ColourRole::warning, 0.22), ColourRole::text, U'!', 0.3},
+        Look{Strength::paused, plain(ColourRole::paper), ColourRole::muted, U'‖', 0}}) {
+    const StrengthLook found = look_of(look.strength);
+    EXPECT_EQ(found.fill, look.fill);
+    EXPECT_EQ(found.text, plain(look.text));
+    EXPECT_EQ(found.sign, look.sign);
+    EXPECT_EQ(bar_of(look.strength), look.bar);
+  }
+}
+
 TEST(Strengths, OfAListAlsoWhatIsNotStudiedHasAState) {
   study::Statistics s;
   s.characters = {{U'一', Strength::mature, 0.95}, {U'二', Strength::young, 0.9}};
