@@ -47,7 +47,7 @@ base::Result<Plate> Plate::create(double width_mm, double height_mm, double step
                       fmt::format("a plate cannot be {:.4g} mm thick", thickness_mm), "plate",
                       "give 0.4 to 100 mm");
   }
-  if (!within(step_mm, 0.02, 5)) {
+  if (!within(step_mm, kFinestStep_mm, 5)) {
     return base::fail(base::Errc::bad_argument, fmt::format("samples cannot be {:.4g} mm apart", step_mm),
                       "plate", "give 0.02 to 5 mm");
   }

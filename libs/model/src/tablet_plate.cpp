@@ -34,7 +34,8 @@ class Layout {
             s_.margin_mm + static_cast<double>(rows_ - 1 - i / columns_) * pitch};
   }
   [[nodiscard]] base::Result<Plate> plate(double finest_mm) const {
-    const double step = std::max(finest_mm, std::sqrt(width() * height() / kMostSamples));
+    const double step =
+        std::max({finest_mm, Plate::kFinestStep_mm, std::sqrt(width() * height() / kMostSamples)});
     auto made = Plate::create(width(), height(), step, s_.thickness_mm);
     if (!made || !s_.hanging_hole) return made;
     const Hole hole{{made->width_mm() / 2, made->height_mm() - kHoleFromEdge_mm}, kHoleRadius_mm};

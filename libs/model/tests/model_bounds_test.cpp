@@ -5,12 +5,19 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include "nazori/model/braille.h"
+#include "nazori/model/embosser.h"
+#include "nazori/model/laser.h"
 #include "nazori/model/mesh.h"
 #include "nazori/model/mesh_file.h"
+#include "nazori/model/mill.h"
 #include "nazori/model/plate.h"
+#include "nazori/model/plot_layout.h"
 #include "nazori/model/raised.h"
+#include "nazori/model/stand.h"
 #include "nazori/model/tablet_plate.h"
 
 namespace nazori::model {
@@ -47,6 +54,119 @@ TEST(ModelDefaults, AreTheSizesThatFingersCanRead) {
   EXPECT_EQ(MeshSettings{}.most_triangles, 99'000U);
   EXPECT_EQ(PlateMesh{}.error_mm, 0);
   EXPECT_EQ(RaisedTick{}.share, 0);
+}
+
+TEST(ModelDefaults, OfMachinesAreThoseOfTheHeaders) {
+  const MillSettings mill;
+  EXPECT_EQ(mill.cutter_mm, 3);
+  EXPECT_EQ(mill.step_over_mm, 0.2);
+  EXPECT_EQ(mill.pass_depth_mm, 1.5);
+  EXPECT_EQ(mill.safe_mm, 5);
+  EXPECT_EQ(mill.feed_mm_min, 800);
+  EXPECT_EQ(mill.plunge_mm_min, 250);
+  EXPECT_EQ(mill.spindle_rpm, 12'000);
+  EXPECT_EQ(MillGuide{}.half_width_mm, 1);
+  EXPECT_EQ(MillMove{}.speed, MillMove::Speed::rapid);
+  for (const double value : {MillMove{}.x, MillMove{}.y, MillMove{}.z, MillPath{}.deepest_mm,
+                             MillPath{}.cut_length_mm, MillPath{}.minutes})
+    EXPECT_EQ(value, 0);
+  EXPECT_EQ(MillPath{}.passes, 0);
+  const StandSettings stand;
+  EXPECT_EQ(stand.plate_height_mm, 100);
+  EXPECT_EQ(stand.plate_thickness_mm, 6);
+  EXPECT_EQ(stand.clearance_mm, 0.4);
+  EXPECT_EQ(stand.lean_deg, 20);
+  EXPECT_EQ(stand.width_mm, 10);
+  EXPECT_EQ(EmbosserPaper{}.columns, 40);
+  EXPECT_EQ(EmbosserPaper{}.lines, 25);
+  EXPECT_TRUE(EmbossedMarks{}.numbers && EmbossedMarks{}.start_dots);
+  EXPECT_EQ(PlotDistances{}.edge_mm, 5);
+  EXPECT_EQ(PlotDistances{}.gap_mm, 3);
+  EXPECT_EQ(PlotDistances{}.tick_mm, 4);
+  const PlotLayout layout;
+  for (const double value : {layout.width_mm, layout.height_mm, layout.side_mm}) EXPECT_EQ(value, 0);
+  const TabletPlateSettings tablet;
+  EXPECT_EQ(tablet.columns, 0);
+  EXPECT_EQ(tablet.gap_mm, 0);
+  EXPECT_TRUE(tablet.hanging_hole);
+  EXPECT_EQ(kFewestLayers, 1);
+  EXPECT_EQ(kMostLayers, 64);
+}
+
+TEST(MillBounds, AreTakenAndWhatLiesBeyondIsRefused) {
+  // On a plate without grooves what is taken meets another refusal.
+  const Plate flat = Plate::create(4, 4, 0.05, 3).value();
+  struct Bounds {
+    double MillSettings::*size;
+    const char* name;
+    double low, high;
+  };
+  for (const Bounds& b : {Bounds{&MillSettings::cutter_mm, "cutter", 0.2, 20},
+                          Bounds{&MillSettings::step_over_mm, "step over", 0.02, 5},
+                          Bounds{&MillSettings::pass_depth_mm, "depth of a pass", 0.05, 50},
+                          Bounds{&MillSettings::safe_mm, "safe height", 1, 100},
+                          Bounds{&MillSettings::feed_mm_min, "feed rate", 10, 20'000},
+                          Bounds{&MillSettings::plunge_mm_min, "plunge rate", 10, 20'000},
+                          Bounds{&MillSettings::spindle_rpm, "spindle speed", 0, 60'000}}) {
+    const auto refusal = [&](double value) {
+      MillSettings settings;
+      settings.step_over_mm = 2;
+      settings.*b.size = value;
+      return mill_path(flat, {}, settings).error().what;
+    };
+    const std::string word = std::string("the ") + b.name + " cannot be";
+    EXPECT_TRUE(refusal(b.low).starts_with("a ball of")) << b.name;
+    EXPECT_TRUE(refusal(b.high).starts_with("a ball of")) << b.name;
+    EXPECT_TRUE(refusal(b.low - 0.01).starts_with(word)) << b.name;
+    EXPECT_TRUE(refusal(b.high + 1).starts_with(word)) << b.name;
+  }
+}
+
+TEST(TabletPlateBounds, AreTakenAndWhatLiesBeyondIsRefused) {
+  const std::array maps{surface::HeightMap::create(3).value()};
+  const auto taken = [&](auto change) {
+    TabletPlateSettings settings;
+    settings.side_mm = 20;
+    settings.hanging_hole = false;
+    change(settings);
+    return grooved_plate(maps, settings).has_value();
+  };
+  for (const double side : {9.9, 10.0, 500.0, 500.1})
+    EXPECT_EQ(taken([side](auto& s) { s.side_mm = side; }), side > 9.9 && side < 500.1) << side;
+  for (const double mm : {-0.1, 0.0, 100.0, 100.1}) {
+    EXPECT_EQ(taken([mm](auto& s) { s.margin_mm = mm; }), mm > -0.1 && mm < 100.1) << mm;
+    EXPECT_EQ(taken([mm](auto& s) { s.gap_mm = mm; }), mm > -0.1 && mm < 100.1) << mm;
+  }
+  EXPECT_TRUE(taken([](auto& s) { s.columns = 7; })) << "there are no more columns than tablets";
+}
+
+TEST(TabletPlate, IsAsFineAsItsGroovesNeedAndNoFinerThanAModelBears) {
+  const std::array maps{surface::HeightMap::create(3).value()};
+  TabletPlateSettings settings;
+  settings.hanging_hole = false;
+  settings.side_mm = 128;
+  EXPECT_NEAR(grooved_plate(maps, settings)->step_mm(), 0.25, 1e-12);
+  settings.side_mm = 20;
+  const std::vector<RaisedStroke> strokes{{{{0.2, 0.5}, {0.8, 0.5}}, LineEnd::full}};
+  EXPECT_NEAR(raised_plate(std::array{strokes}, settings)->plate.step_mm(), 0.125, 1e-12);
+  settings.side_mm = 288;
+  settings.margin_mm = 6;
+  EXPECT_NEAR(raised_plate(std::array{strokes}, settings)->plate.step_mm(), 300 / std::sqrt(1.5e6), 1e-9);
+}
+
+TEST(TabletPlate, TheNumbersOfAllTabletsThatHaveNoRoomAreNamed) {
+  std::vector<RaisedStroke> strokes;
+  for (int i = 0; i < 14; ++i)
+    strokes.push_back({{{0.02, 0.05 + 0.065 * i}, {0.98, 0.05 + 0.065 * i}}, LineEnd::full});
+  TabletPlateSettings settings;
+  settings.side_mm = 60;
+  settings.margin_mm = 0;
+  settings.vertical = true;
+  const auto one = raised_plate(std::array{strokes}, settings);
+  const auto two = raised_plate(std::array{strokes, strokes}, settings);
+  ASSERT_TRUE(one && two);
+  ASSERT_FALSE(one->without_number.empty());
+  EXPECT_GT(two->without_number.size(), one->without_number.size());
 }
 
 TEST(PlateBounds, AreTakenAndWhatLiesBeyondIsRefused) {

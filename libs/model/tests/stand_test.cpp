@@ -66,6 +66,94 @@ TEST(Stand, TheMiddleOfThePlateLiesOverTheFoot) {
   }
 }
 
+TEST(Stand, ItsCornersAreThoseOfAPlateThatLeansByThirtyDegrees) {
+  // The sine is a half.
+  const double c = std::sqrt(0.75);
+  StandSettings settings;
+  settings.plate_thickness_mm = 6;
+  settings.clearance_mm = 0.4;
+  settings.lean_deg = 30;
+  const auto expect_corners = [&](const PlateLine& wanted) {
+    const PlateLine outline = stand_outline(settings).value();
+    ASSERT_EQ(outline.size(), wanted.size());
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      EXPECT_NEAR(outline[i].x, wanted[i].x, 1e-9) << i;
+      EXPECT_NEAR(outline[i].y, wanted[i].y, 1e-9) << i;
+    }
+  };
+  // 10 mm before the slot; it carries the plate 5 mm above the table, with walls of 5 mm.
+  const double rear = 10 + 6.4 * c;
+  settings.plate_height_mm = 100;  // the slot is 15 mm deep, its rear wall half as high again
+  expect_corners({{0, 0},
+                  {rear + 35, 0},
+                  {rear + 35, 5},
+                  {rear + 16.25, 5 + 22.5 * c},
+                  {rear + 11.25, 5 + 22.5 * c},
+                  {rear, 5},
+                  {10, 8.2},
+                  {17.5, 8.2 + 15 * c},
+                  {12.5, 8.2 + 15 * c},
+                  {0, 5}});
+  settings.plate_height_mm = 20;  // 8 mm at least
+  expect_corners({{0, 0},
+                  {rear + 19, 0},
+                  {rear + 19, 5},
+                  {rear + 11, 5 + 12 * c},
+                  {rear + 6, 5 + 12 * c},
+                  {rear, 5},
+                  {10, 8.2},
+                  {14, 8.2 + 8 * c},
+                  {9, 8.2 + 8 * c},
+                  {0, 5}});
+  settings.plate_height_mm = 600;  // 25 mm at most
+  expect_corners({{0, 0},
+                  {rear + 160, 0},
+                  {rear + 160, 5},
+                  {rear + 23.75, 5 + 37.5 * c},
+                  {rear + 18.75, 5 + 37.5 * c},
+                  {rear, 5},
+                  {10, 8.2},
+                  {22.5, 8.2 + 25 * c},
+                  {17.5, 8.2 + 25 * c},
+                  {0, 5}});
+}
+
+TEST(Stand, TheSecondFootLiesFiveMillimetresBeyondTheFirst) {
+  StandSettings settings;
+  settings.width_mm = 12;
+  const PlateLine outline = stand_outline(settings).value();
+  const Mesh mesh = stand_mesh(settings).value();
+  ASSERT_EQ(mesh.vertices.size(), 40U);
+  const double beyond = outline[4].y + 5;  // the highest corner is that of the rear wall
+  for (std::size_t i = 0; i < 40; ++i) {
+    const PlatePoint corner = outline[i % 10];
+    EXPECT_NEAR(mesh.vertices[i][0], corner.x, 1e-4) << i;
+    EXPECT_NEAR(mesh.vertices[i][1], corner.y + (i < 20 ? 0 : beyond), 1e-4) << i;
+    EXPECT_EQ(mesh.vertices[i][2], i / 10 % 2 == 0 ? 0.0F : 12.0F) << i;
+  }
+}
+
+TEST(Stand, EachSizeHasItsBounds) {
+  struct Bounds {
+    double StandSettings::*size;
+    double low, high;
+  };
+  for (const Bounds& b :
+       {Bounds{&StandSettings::plate_height_mm, 20, 600},
+        Bounds{&StandSettings::plate_thickness_mm, 0.4, 100}, Bounds{&StandSettings::clearance_mm, 0, 2},
+        Bounds{&StandSettings::lean_deg, 5, 45}, Bounds{&StandSettings::width_mm, 3, 50}}) {
+    const auto taken = [&](double value) {
+      StandSettings settings;
+      settings.*b.size = value;
+      return stand_outline(settings).has_value();
+    };
+    EXPECT_TRUE(taken(b.low)) << b.low;
+    EXPECT_FALSE(taken(b.low - 0.01)) << b.low;
+    EXPECT_TRUE(taken(b.high)) << b.high;
+    EXPECT_FALSE(taken(b.high + 0.01)) << b.high;
+  }
+}
+
 TEST(Stand, WhatCannotStandIsRefused) {
   StandSettings settings;
   settings.lean_deg = 60;

@@ -45,9 +45,10 @@ struct Hole {
 class Plate {
  public:
   static constexpr int kMostSamples = 4'000'000;
+  static constexpr double kFinestStep_mm = 0.02;  ///< between neighbouring samples
 
   /// A flat plate; both sides are rounded up to whole steps.
-  /// @param step_mm  distance of neighbouring samples, 0.02..5.
+  /// @param step_mm  distance of neighbouring samples, kFinestStep_mm..5.
   /// @return Errc::bad_argument for a side out of 1..1000 mm, a thickness out of 0.4..100 mm, or more than
   /// kMostSamples samples.
   [[nodiscard]] static base::Result<Plate> create(double width_mm, double height_mm, double step_mm,

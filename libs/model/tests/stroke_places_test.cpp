@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the numbers of strokes stand, and how long a line sinks.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "nazori/model/raised.h"
+
+namespace nazori::model {
+namespace {
+
+TEST(SinkingLine, SinksOverTwoFifthsOfItsLengthButEightMillimetresAtMost) {
+  EXPECT_DOUBLE_EQ(sinking_mm(10), 4);
+  EXPECT_DOUBLE_EQ(sinking_mm(20), 8);
+  EXPECT_DOUBLE_EQ(sinking_mm(30), 8);
+}
+
+TEST(StrokeNumbers, StandBehindTheStartClearOfItsDot) {
+  const std::array stroke{RaisedStroke{{{30, 30}, {50, 30}}, LineEnd::full}};
+  // The dot reaches 1.5 mm around the start, the line 1.01 mm; a number is 1.2 mm farther, in steps of a
+  // half.
+  const auto with_dot = stroke_numbers(stroke, 60, 60);
+  ASSERT_EQ(with_dot.numbers.size(), 1U);
+  EXPECT_NEAR(with_dot.numbers[0].lower_left.x, 30 - 3 - 3.75, 1e-9);
+  EXPECT_NEAR(with_dot.numbers[0].lower_left.y, 30 - 3.125, 1e-9);
+  EXPECT_EQ(with_dot.numbers[0].cells, (std::vector<BrailleCell>{1}));
+  RaisedStrokeSettings settings;
+  settings.start_dots = false;
+  const auto without = stroke_numbers(stroke, 60, 60, settings);
+  ASSERT_EQ(without.numbers.size(), 1U);
+  EXPECT_NEAR(without.numbers[0].lower_left.x, 30 - 2.5 - 3.75, 1e-9);
+  settings.numbers = false;
+  EXPECT_TRUE(stroke_numbers(stroke, 60, 60, settings).numbers.empty());
+}
+
+TEST(StrokeNumbers, StayOnThePageWithTheirClearance) {
+  // Each begins 2 mm from an edge, from which it comes.
+  for (const PlatePoint way : {PlatePoint{1, 0}, PlatePoint{-1, 0}, PlatePoint{0, 1}, PlatePoint{0, -1}}) {
+    const PlatePoint start{30 - 28 * way.x, 30 - 28 * way.y};
+    const std::array stroke{RaisedStroke{{start, start + way * 30}, LineEnd::full}};
+    const auto made = stroke_numbers(stroke, 60, 60);
+    ASSERT_EQ(made.numbers.size(), 1U);
+    const PlatePoint at = made.numbers[0].lower_left;
+    EXPECT_GE(at.x, 1.2);
+    EXPECT_GE(at.y, 1.2);
+    EXPECT_LE(at.x + 3.75, 60 - 1.2);
+    EXPECT_LE(at.y + 6.25, 60 - 1.2);
+  }
+}
+
+}  // namespace
+}  // namespace nazori::model
