@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <set>
+#include <algorithm>
 
 #include "database_under_test.h"
 
@@ -98,6 +98,37 @@ TEST_F(HelpfulWords, AreDividedAmongTheirCharacters) {
       return;
     }
   FAIL() << "休日 is a word of 休";
+}
+
+TEST_F(HelpfulWords, CostWhatSpeaksAgainstThem) {
+  struct Case {
+    char32_t character;
+    const char* text;
+    double cost;
+    const char* reason;
+  };
+  // 1.5 for each character; another kanji costs 1, and 3 for each school year by which it comes later.
+  for (const Case& one : {
+           Case{U'木', "木", 1.5 - 40 - 10 - 4 - 1, "basic, alone, means tree, read as the kanji is"},
+           {U'木', "大木", 3 + 1 - 40 - 4, "大 is of the same year; a large tree"},
+           {U'木', "木造", 3 + 1 + 3 * 4 - 40 - 4, "造 is of the fifth year; made of wood"},
+           {U'木', "木曜日", 4.5 + 1 + 3 + 1 - 40, "曜 is of the second year; no tree"},
+           {U'休', "休む", 3 - 40 - 4 - 1, "to take a day off, read as the kanji is"},
+           {U'休', "休み", 3 - 40 - 4, "a rest"},
+           {U'冊', "冊", 1.5 - 40 - 10 + 8 - 4 - 1, "a counter"},
+           {U'鬱', "鬱", 1.5 - 10 + 20 - 4 - 1, "common, not basic, and usually in kana"},
+           {U'人', "大人", 3 + 1 - 40 + 4, "no reading of 人 is in おとな"},
+           {U'飢', "飢饉", 3 + 25, "饉 has no grade"},
+           {U'祈', "祈祷", 3 + 1 + 3 * 2, "names come two years after secondary school"},
+           {U'訪', "訪欧", 3 + 1 + 3 - 4, "from the sixth year to secondary school; a visit"},
+           {U'蛮', "南蛮", 3 + 1 + 25 + 8, "an old word, and a prefix"},
+       }) {
+    const auto words = words_of(one.character).words;
+    const auto found =
+        std::ranges::find_if(words, [&](const auto& word) { return word.word.text == one.text; });
+    ASSERT_NE(found, words.end()) << one.text;
+    EXPECT_DOUBLE_EQ(found->cost, one.cost) << one.text << ": " << one.reason;
+  }
 }
 
 TEST_F(HelpfulWords, OfAKanjiWithoutCommonWordsAreWhatThereIs) {
