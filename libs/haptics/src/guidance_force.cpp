@@ -65,9 +65,9 @@ Vec3 Guidance::yield(const Vec3& wanted, const Vec3& velocity_m_s, double most_n
   gain_ = std::min(1.0, gain_ + period_s / rise_s);
   const Vec3 given = gain_ * wanted;
   const double size = glm::length(given);
-  const double along = size > 0 ? glm::dot(velocity_m_s, given) / size : 0;
-  resisted_s_ = size > kLoad * most_n && along < kStill_m_s ? resisted_s_ + period_s : 0;
-  pulled_back_s_ = size > kBackLoad * most_n && along < -kBack_m_s ? pulled_back_s_ + period_s : 0;
+  const double along = glm::dot(velocity_m_s, given);  // speed along the pull, times its size
+  resisted_s_ = size > kLoad * most_n && along < kStill_m_s * size ? resisted_s_ + period_s : 0;
+  pulled_back_s_ = size > kBackLoad * most_n && along < -kBack_m_s * size ? pulled_back_s_ + period_s : 0;
   if (resisted_s_ <= patience_s && pulled_back_s_ <= kBackPatience_s) return given;
   stop();
   return Vec3(0);

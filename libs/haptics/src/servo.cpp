@@ -184,7 +184,7 @@ ServoTiming Servo::timing() const noexcept {
 void Servo::set_recording(SampleRing* ring) noexcept {
   Inside& in = *inside_;
   const SampleRing* old = in.recording.exchange(ring);
-  while (old != nullptr && old != ring && in.pushing.load() == old) std::this_thread::yield();
+  while (old != nullptr && in.pushing.load() == old) std::this_thread::yield();
 }
 
 }  // namespace nazori::haptics

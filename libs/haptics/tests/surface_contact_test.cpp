@@ -353,6 +353,24 @@ TEST(SurfaceContact, FrictionHoldsWithinTheConeAndDragsBehindByTheDynamicCoeffic
   EXPECT_NEAR(contact.proxy_m().x, stopped, 2e-6);
 }
 
+TEST(SurfaceContact, InTheTickInWhichItBeginsToSlideItSlidesAsFarAsItsDragAllows) {
+  const Relief flat(128, 0.01, plate);
+  const double depth = 0.002;
+  SurfaceContact contact;
+  const auto press = [&](double x, const Friction& friction) {
+    contact.update(flat.tablet, {x, 0, -depth}, friction);
+    return contact.proxy_m().x;
+  };
+  contact.update(flat.tablet, {0, 0, 0.001}, {0.5, 0.3});
+  EXPECT_NEAR(press(0, {0.5, 0.3}), 0, 1e-12);
+  EXPECT_NEAR(press(0.49 * depth, {0.5, 0.3}), 0, 1e-12) << "held";
+  EXPECT_NEAR(press(2 * depth, {0.5, 0.3}), (2 - 0.3) * depth, 0.01 * depth);
+  EXPECT_FALSE(contact.held());
+  // While it slides, the drag alone counts, and never more than what holds.
+  EXPECT_NEAR(press(2.4 * depth, {0.5, 0.3}), (2.4 - 0.3) * depth, 0.01 * depth);
+  EXPECT_NEAR(press(3 * depth, {0.2, 0.4}), (3 - 0.2) * depth, 0.01 * depth);
+}
+
 TEST(SurfaceContact, OnAnInclineFrictionHoldsUpToItsAngle) {
   const double slope = 0.15;
   const Relief incline(128, 0.02, [&](double x, double) { return -0.01 + slope * x; });
