@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "nazori/haptics/servo.h"
@@ -95,6 +96,43 @@ TEST(Texture, APatternIsLevelAtTheCornersOfItsLatticeAndNowhereElse) {
     EXPECT_LT(steepness(Texture::wood, 0.012 * i, 0.0006 * 7), 1e-9);
     EXPECT_GT(steepness(Texture::paper, 0.0004 * (i + 0.37), 0.0004 * 3.5), 1e-4);
     EXPECT_GT(steepness(Texture::wood, 0.012 * (i + 0.37), 0.0006 * 7.5), 1e-4);
+  }
+}
+
+/// The noise of paper, in the coordinates of its lattice.
+Vec3 noise(double u, double v) { return texture_slope(Texture::paper, 0.0004 * u, 0.0004 * v); }
+
+TEST(Texture, APatternIsBlendedFromTheFourCornersOfACell) {
+  // By t^3 (10 - 15 t + 6 t^2), which rises by 30 t^2 (1 - t)^2.
+  const auto blend = [](double t) { return t * t * t * (10 - 15 * t + 6 * t * t); };
+  const auto rise = [](double t) { return 30 * t * t * (1 - t) * (1 - t); };
+  for (const auto& [i, j] : {std::pair{0, 0}, {3, 8}, {-4, 5}, {7, -6}, {-9, -2}}) {
+    const double low_edge = noise(i + 0.5, j).x, high_edge = noise(i + 0.5, j + 1).x;
+    const double left_edge = noise(i, j + 0.5).y, right_edge = noise(i + 1, j + 0.5).y;
+    EXPECT_NEAR(low_edge + right_edge, left_edge + high_edge, 1e-9) << "both ways to the opposite corner";
+    for (const double a : {0.1, 0.3, 0.85})
+      for (const double b : {0.2, 0.7}) {
+        const Vec3 inside = noise(i + a, j + b);
+        EXPECT_NEAR(inside.x, rise(a) / rise(0.5) * std::lerp(low_edge, high_edge, blend(b)), 1e-9);
+        EXPECT_NEAR(inside.y, rise(b) / rise(0.5) * std::lerp(left_edge, right_edge, blend(a)), 1e-9);
+      }
+  }
+}
+
+TEST(Texture, WoodIsTheNoiseStretchedAndStoneTwoOfThem) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-0.05, 0.05);
+  for (int i = 0; i < 200; ++i) {
+    const double x = any(random), y = any(random);
+    const Vec3 grain = noise(x / 0.012, y / 0.0006);
+    const Vec3 wood = texture_slope(Texture::wood, x, y);
+    EXPECT_NEAR(wood.x, grain.x / 20, 1e-9);
+    EXPECT_NEAR(wood.y, grain.y, 1e-9);
+    const Vec3 both =
+        0.6 * noise(x / 0.0014, y / 0.0014) + 0.4 * noise(x / 0.0005 + 37.5, y / 0.0005 - 11.25);
+    const Vec3 stone = texture_slope(Texture::stone, x, y);
+    EXPECT_NEAR(stone.x, both.x, 1e-9);
+    EXPECT_NEAR(stone.y, both.y, 1e-9);
   }
 }
 
