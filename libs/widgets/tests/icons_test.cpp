@@ -161,6 +161,44 @@ TEST(Icons, ADrawingFillsThePlaceItIsGiven) {
   EXPECT_NEAR(most_y, 20 + 35 + 0.7, 1.1);
 }
 
+TEST(Icons, OneThatIsOffIsDrawnWithThirtyEightPercentOfItsColour) {
+  const QIcon made = icon(Icon::slower, Qt::red, Qt::blue);
+  EXPECT_NEAR(colour_of(made, QIcon::Disabled, QIcon::Off).alphaF(), 0.38, 0.01);
+  EXPECT_NEAR(colour_of(made, QIcon::Disabled, QIcon::On).alphaF(), 0.38, 0.01);
+  EXPECT_GT(colour_of(made, QIcon::Disabled, QIcon::On).blueF(), 0.95);
+  EXPECT_EQ(colour_of(made, QIcon::Selected, QIcon::Off), QColor(Qt::red));
+}
+
+TEST(Icons, ADrawingLeavesThePainterAsItWas) {
+  QImage picture(96, 48, QImage::Format_ARGB32_Premultiplied);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  icon(Icon::slower, Qt::red, Qt::blue)
+      .paint(&painter, QRect(0, 0, 48, 48), Qt::AlignCenter, QIcon::Disabled);
+  EXPECT_EQ(painter.opacity(), 1);
+  EXPECT_FALSE(painter.testRenderHint(QPainter::Antialiasing));
+  icon(Icon::slower, Qt::red, Qt::blue).paint(&painter, QRect(48, 0, 48, 48));
+  painter.end();
+  EXPECT_EQ(qAlpha(picture.pixel(48 + 24, 24)), 255);
+  EXPECT_LT(qAlpha(picture.pixel(24, 24)), 128);
+}
+
+TEST(Icons, APictureOfAnIconIsTheDrawingFromItsCornerOn) {
+  const QImage made = icon(Icon::cross, Qt::black, Qt::red).pixmap(QSize(kSide_px, kSide_px), 1).toImage();
+  const QImage drawn = drawn_icon(Icon::cross);
+  ASSERT_EQ(made.size(), drawn.size());
+  EXPECT_EQ(made.convertToFormat(QImage::Format_ARGB32), drawn.convertToFormat(QImage::Format_ARGB32));
+  // A cross is the same on both sides of its middle.
+  EXPECT_TRUE(is_ink(drawn, kSide_px / 2 - 1, kSide_px / 2 - 1));
+  int edges = 0;
+  for (int y = 0; y < kSide_px; ++y)
+    for (int x = 0; x < kSide_px; ++x) {
+      const int alpha = qAlpha(drawn.pixel(x, y));
+      edges += alpha > 0 && alpha < 255 ? 1 : 0;
+    }
+  EXPECT_GT(edges, 50) << "smooth";
+}
+
 TEST(Icons, ASignIsAsSharpAsTheScreen) {
   const QPixmap twice = sign(Icon::cross, Qt::black, 20, 2);
   EXPECT_EQ(twice.size(), QSize(40, 40));

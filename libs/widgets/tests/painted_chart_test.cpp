@@ -4,6 +4,7 @@
 
 #include <QFontMetricsF>
 
+#include "nazori/view/inked_stroke.h"
 #include "nazori/widgets/charts/day_chart.h"
 #include "nazori/widgets/charts/role_colours.h"
 #include "nazori/widgets/look/ink_painting.h"
@@ -276,6 +277,8 @@ TEST(InkOfAHand, IsAsWideAsThePenPressedAndNeverTooThinToSee) {
   EXPECT_NEAR(large[1].points[1].x(), 400, 0.01);
   EXPECT_NEAR(large[1].points[1].y(), 200, 0.01);
   EXPECT_GT(large[0].pen.widthF(), large[1].pen.widthF()) << "of the point where it ends";
+  // A sheet of 400 pixels shows 0.1 m: twice the half width, 4000 pixels a metre.
+  EXPECT_NEAR(large[0].pen.widthF(), 2 * 4000 * view::ink_half_width_m(ink[1]), 0.01);
   EXPECT_NEAR(drawn(200)[0].pen.widthF(), large[0].pen.widthF() / 2, 0.01);
   EXPECT_EQ(large[0].pen.capStyle(), Qt::RoundCap);
   EXPECT_EQ(test::name_of(large[0].pen.color()), words("moss"));

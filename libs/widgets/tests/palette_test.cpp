@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QGuiApplication>
+#include <cmath>
+
 #include "nazori/widgets/look/resources.h"
 #include "nazori/widgets/look/style_sheet.h"
 
@@ -86,6 +89,34 @@ TEST_P(PaletteColours, EachRoleOfTheWindowHasItsColour) {
   EXPECT_LT(before, contrast_ratio(c.muted, c.surface));
 }
 
+TEST_P(PaletteColours, EdgesAndWhatIsOffAreMixedOfTwoColours) {
+  const Colours& c = colours();
+  const QPalette p = make_palette(c);
+  /// To one of the 255 steps of a channel.
+  const auto expect_between = [](const QColor& seen, const QColor& back, const QColor& front, double share) {
+    for (const auto channel : {&QColor::red, &QColor::green, &QColor::blue})
+      EXPECT_NEAR((seen.*channel)(), (1 - share) * (back.*channel)() + share * (front.*channel)(), 1);
+  };
+  expect_between(p.color(QPalette::Midlight), c.surface, c.line, 0.5);
+  expect_between(p.color(QPalette::Dark), c.line, c.muted, 0.5);
+  expect_between(p.color(QPalette::Shadow), c.line, c.muted, 0.8);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    expect_between(p.color(QPalette::Disabled, role), c.muted, c.paper, 0.35);
+}
+
+TEST(ColoursOfTheProgram, AreThoseOfTheApplicationsPalette) {
+  const QPalette before = QGuiApplication::palette();
+  for (const Colours* c : {&light_colours(), &dark_colours()}) {
+    QGuiApplication::setPalette(make_palette(*c));
+    EXPECT_EQ(&current_colours(), c);
+  }
+  QGuiApplication::setPalette(before);
+  QPalette grey;
+  grey.setColor(QPalette::WindowText, Qt::gray);
+  grey.setColor(QPalette::Window, Qt::gray);
+  EXPECT_FALSE(is_dark(grey)) << "neither: light";
+}
+
 TEST(BlendOfColours, GoesFromTheBackToTheFront) {
   const QColor back(10, 200, 90);
   const QColor front(110, 100, 190);
@@ -101,6 +132,11 @@ TEST(ContrastRatio, KnowsTheWeightOfEachColour) {
   EXPECT_NEAR(contrast_ratio(QColor(0, 0, 255), Qt::white), 1.05 / 0.1222, 1e-4);
   // A channel of 10 of 255 lies below the bend of the curve, where it is a straight line.
   EXPECT_NEAR(contrast_ratio(QColor(10, 10, 10), Qt::black), (10 / 255.0 / 12.92 + 0.05) / 0.05, 1e-4);
+  // 11 of 255 lies just above it.
+  for (const int channel : {11, 13, 14, 100, 200})
+    EXPECT_NEAR(contrast_ratio(QColor(channel, channel, channel), Qt::black),
+                (std::pow((channel / 255.0 + 0.055) / 1.055, 2.4) + 0.05) / 0.05, 1e-4)
+        << channel;
 }
 
 TEST(ContrastRatio, BlackOnWhiteIs21AndAColourOnItselfIs1) {

@@ -57,5 +57,35 @@ TEST_F(StoredSettings, OfDevicesAreReadFromTheFileAndWrittenToItAndTheRestStays)
   EXPECT_FALSE(devices::settings_of(again.devices, "arm:1").calibration);
 }
 
+TEST_F(StoredSettings, AreWrittenOnlyWhereTheyDiffer) {
+  QSettings settings(file(), QSettings::IniFormat);
+  settings.setValue(QStringLiteral("same"), QStringList{QStringLiteral("a")});
+  settings.setValue(QStringLiteral("other"), QStringLiteral("old"));
+  settings.setValue(QStringLiteral("gone"), 1);
+  base::Settings values = read_settings(settings);
+  values["other"] = "new";
+  values["added"] = "1";
+  values.erase("gone");
+  write_settings(settings, values);
+  EXPECT_EQ(settings.allKeys(),
+            (QStringList{QStringLiteral("added"), QStringLiteral("other"), QStringLiteral("same")}));
+  EXPECT_EQ(settings.value(QStringLiteral("other")).toString(), QStringLiteral("new"));
+  EXPECT_EQ(settings.value(QStringLiteral("added")).toString(), QStringLiteral("1"));
+}
+
+TEST_F(StoredSettings, RecordingsThatAreUnfinishedAreListedUntilThereAreNone) {
+  const auto unfinished = unfinished_recordings(file());
+  EXPECT_TRUE(unfinished.read().empty());
+  const std::vector<std::string> two{"/a/休.nzr", "/b/c, d.csv"};
+  unfinished.write(two);
+  EXPECT_EQ(unfinished.read(), two);
+  EXPECT_EQ(unfinished_recordings(file()).read(), two) << "in the file";
+  unfinished.write({"/a/休.nzr"});
+  EXPECT_EQ(unfinished.read(), std::vector<std::string>{"/a/休.nzr"});
+  unfinished.write({});
+  EXPECT_TRUE(unfinished.read().empty());
+  EXPECT_FALSE(QSettings(file(), QSettings::IniFormat).contains(QStringLiteral("recording/unfinished")));
+}
+
 }  // namespace
 }  // namespace nazori::ui

@@ -104,6 +104,67 @@ TEST_F(AnnouncementsOfTheWindow, AnEmptySentenceIsNotAnnounced) {
   EXPECT_TRUE(said_.isEmpty());
 }
 
+TEST_F(AnnouncementsOfTheWindow, OfTheLearnerWaitAndThoseOfASessionDoNot) {
+  practice::LearnerEvent event;
+  event.kind = practice::LearnerEvent::Kind::opened_again;
+  event.profile = "Mari";
+  parts_.learner().announced(event);
+  EXPECT_TRUE(said_.isEmpty());
+  practice::SessionFeedback feedback;
+  feedback.kind = practice::SessionFeedback::Kind::nothing_due;
+  parts_.session().announced(feedback);
+  EXPECT_EQ(said_, QStringList{QStringLiteral("Nothing is due now.")});
+  feedback.kind = practice::SessionFeedback::Kind::all_done;
+  feedback.stage = study::Stage::brush;
+  parts_.brush_session().announced(feedback);
+  EXPECT_EQ(said_.back(), QStringLiteral("All done with the brush for now. Every rating is saved."));
+  EXPECT_EQ(kinds_, (std::vector{Feedback::hint, Feedback::good}));
+  parts_.note_opened();
+  EXPECT_EQ(said_.back(), QStringLiteral("“Mari” is now open here. Everything is saved again."));
+  EXPECT_EQ(kinds_.back(), Feedback::good);
+}
+
+TEST_F(AnnouncementsOfTheWindow, NothingThatWaitsIsAnnouncedAsNothing) {
+  const QSignalSpy opened(&parts_, &WindowParts::opened);
+  parts_.note_opened();
+  EXPECT_EQ(opened.count(), 1);
+  EXPECT_TRUE(said_.isEmpty());
+}
+
+TEST_F(AnnouncementsOfTheWindow, AnotherLearnerIsRemembered) {
+  const QSignalSpy save(&parts_, &WindowParts::save_later);
+  EXPECT_EQ(parts_.learner().profile(), "learner");
+  ASSERT_TRUE(parts_.learner().switch_profile("Mari"));
+  EXPECT_EQ(parts_.preferences().profile, QStringLiteral("Mari"));
+  EXPECT_GE(save.count(), 1);
+}
+
+TEST(PartsOfTheWindow, BeginWithTheSettingsOfTheFileAndALearnerWhoseNameCanBe) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("nazori.ini"));
+  Preferences stored;
+  stored.style = view::Style::slate;
+  stored.profile = QStringLiteral("a/b");
+  ASSERT_TRUE(stored.save(file));
+  QWidget window;
+  const auto place = [&] {
+    return practice::Learner::Place{folder.filePath(QStringLiteral("learners")).toStdString(),
+                                    std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db",
+                                    {}};
+  };
+  {
+    WindowParts parts(window, file, place());
+    EXPECT_EQ(parts.settings_file(), file);
+    EXPECT_EQ(parts.tablet().style(), view::Style::slate);
+    EXPECT_EQ(parts.learner().profile(), "learner") << "no such name can be";
+  }
+  stored.profile = QStringLiteral("Mari");
+  ASSERT_TRUE(stored.save(file));
+  WindowParts parts(window, file, place());
+  EXPECT_EQ(parts.learner().profile(), "Mari");
+  EXPECT_EQ(WindowParts(window, {}, place()).settings_file(), Preferences::default_file());
+}
+
 TEST(StatusLine, TellsDepthInMillimetresWhileThereIsAny) {
   const QTemporaryDir folder;
   WindowTablet controller;
