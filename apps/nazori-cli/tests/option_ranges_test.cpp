@@ -166,5 +166,67 @@ TEST(OptionRanges, TheHelpTellsWhatHoldsWithoutTheOption) {
         << one.verb.back() << " " << one.option;
 }
 
+TEST(OptionRanges, TheHelpOfMachinesPaperAndSheetsTellsThemWithWhatHoldsWithoutTheOption) {
+  struct Note {
+    Words verb;
+    std::string option;
+    std::string note;  ///< in parentheses at the end of what the help says
+  };
+  const Words model{"model"}, plot{"plot"}, paint{"paint"}, worksheet{"worksheet"};
+  const Words check{"author", "check"}, convert{"author", "convert"}, trace{"author", "trace"};
+  const std::vector<Note> notes{{model, "--columns", "1..50"},
+                                {model, "--size-mm", "10..500; default: 100"},
+                                {model, "--margin-mm", "0..100; default: 6"},
+                                {model, "--gap-mm", "0..100; default: 0"},
+                                {model, "--thickness-mm", "0.4..100"},
+                                {model, "--depth-mm", "0.1..99; default: 3"},
+                                {model, "--line-height-mm", "0.2..10; default: "},
+                                {model, "--line-width-mm", "0.4..10; default: "},
+                                {model, "--map-size", "2..8192"},
+                                {model, "--cutter-mm", "0.2..20; default: 3"},
+                                {model, "--step-over-mm", "0.02..5; default: 0.2"},
+                                {model, "--pass-depth-mm", "0.05..50; default: 1.5"},
+                                {model, "--safe-mm", "1..100; default: 5"},
+                                {model, "--feed", "10..20000; default: 800"},
+                                {model, "--plunge", "10..20000; default: 250"},
+                                {model, "--spindle-rpm", "0..60000; default: 12000"},
+                                {model, "--layers", "1..64; default: "},
+                                {model, "--paper", "default: a4"},
+                                {model, "--columns-braille", "12..100; default: 40"},
+                                {model, "--lines-braille", "12..100; default: 25"},
+                                {model, "--braille", "default: uncontracted"},
+                                {plot, "--model-size-mm", "40..400; default: 120"},
+                                {plot, "--columns-braille", "12..100; default: 40"},
+                                {paint, "--paper", "default: hanshi"},
+                                {paint, "--brush", "default: mixed"},
+                                {paint, "--number", "1..6; default: 6"},
+                                {paint, "--ink", "default: sumi"},
+                                {paint, "--load", "0..1; default: 1"},
+                                {paint, "--strength", "0..4; default: 1"},
+                                {paint, "--lean", "0..60; default: 0"},
+                                {paint, "--size-mm", "10..102; default: 85"},
+                                {paint, "--cells", "default: 1024"},
+                                {paint, "--after", "0..600; default: 5"},
+                                {worksheet, "--grade", "1..6"},
+                                {worksheet, "--layout", "default: practice"},
+                                {worksheet, "--paper", "default: a4"},
+                                {worksheet, "--cell-mm", "8..60; default: 15"},
+                                {worksheet, "--guide", "default: 十"},
+                                {worksheet, "--rows", "0..40; default: 2"},
+                                {worksheet, "--copies", "0..40; default: 4"},
+                                {worksheet, "--per-sheet", "default: 4"},
+                                {worksheet, "--language", "default: en"},
+                                {{"demo"}, "--tip-radius-mm", "0..3; default: 0"},
+                                {check, "--grid", "2..8192"},
+                                {check, "--tip-mm", "0.1..10; default: "},
+                                {convert, "--grid", "2..8192"},
+                                {convert, "--size", "2..8192"},
+                                {trace, "--size", "2..8192; default: 512"}};
+  for (const Note& one : notes)
+    EXPECT_THAT(help_of(one.verb, one.option),
+                HasSubstr("(" + one.note + (one.note.ends_with(' ') ? "" : ")")))
+        << one.verb.back() << " " << one.option;
+}
+
 }  // namespace
 }  // namespace nazori::cli::test
