@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
 #include <QStyleOptionViewItem>
 #include <QTest>
 
@@ -35,17 +34,6 @@ class PaintedPage : public testing::Test {
     return made;
   }
   QFont font_;
-};
-
-/// The same without a style sheet, in light colours.
-class PaintedLightly : public PaintedPage {
- protected:
-  void SetUp() override {
-    PaintedPage::SetUp();
-    qApp->setStyleSheet({});
-    QApplication::setPalette(make_palette(light_colours()));
-  }
-  const Colours& c_ = light_colours();
 };
 
 }  // namespace nazori::ui::test

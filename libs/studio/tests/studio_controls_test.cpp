@@ -11,6 +11,7 @@
 #include <QSignalSpy>
 #include <cmath>
 
+#include "in_english.h"
 #include "nazori/studio/brush/brush_cursor.h"
 #include "nazori/studio/brush/tools_panel.h"
 #include "nazori/studio/print/machine_options.h"
@@ -20,7 +21,6 @@
 #include "painting_under_test.h"
 #include "picture_under_test.h"
 #include "print_qt.h"
-#include "window/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -28,7 +28,7 @@ namespace {
 class OptionsOfMachines : public testing::Test {
  protected:
   OptionsOfMachines() {
-    install_language(QStringLiteral("en"));
+    test::speak_english();
     options_.load({});
   }
   template <class T = QDoubleSpinBox>
@@ -140,7 +140,7 @@ TEST_F(OptionsOfMachines, OnlyThoseOfWhatIsMadeAreShown) {
 }
 
 TEST(ToolOfTheWorkshop, IsSetInStepsThatAHandNotices) {
-  install_language(QStringLiteral("en"));
+  test::speak_english();
   QWidget window;
   const WorkshopActions actions(&window);
   const WorkshopPanel panel(actions, &window);
@@ -240,7 +240,7 @@ TEST(BrushAboveThePaper, IsDrawnWithinItsBoundsAndStandsOnTheSideOfTheHand) {
 }
 
 TEST(FindingsOfACheck, HaveASignForHowMuchTheyMatter) {
-  install_language(QStringLiteral("en"));
+  test::speak_english();
   QWidget window;
   const WorkshopActions actions(&window);
   WorkshopPanel panel(actions, &window);

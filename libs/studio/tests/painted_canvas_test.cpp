@@ -8,11 +8,11 @@
 #include <QWheelEvent>
 #include <functional>
 
+#include "in_english.h"
 #include "nazori/author/stroke_edits.h"
 #include "nazori/studio/workshop/character_canvas.h"
 #include "painting_under_test.h"
 #include "print_qt.h"
-#include "window/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -30,7 +30,7 @@ class PaintedCanvas : public testing::Test {
  protected:
   static constexpr double kUnit = 4;  ///< pixels of a glyph unit
   PaintedCanvas() {
-    install_language(QStringLiteral("en"));
+    test::speak_english();
     qApp->setStyleSheet({});
     QApplication::setPalette(make_palette(light_colours()));
     test::resize_unseen(canvas_, {464, 564});  // 436 x 536 inside: the tablet has 436 pixels

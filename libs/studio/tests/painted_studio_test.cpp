@@ -13,7 +13,7 @@
 #include "nazori/studio/print/page_view.h"
 #include "nazori/studio/print/photo_view.h"
 #include "nazori/studio/print/relief_view.h"
-#include "painted_page.h"
+#include "painted_lightly.h"
 #include "print_qt.h"
 
 namespace nazori::ui {

@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "nazori/studio/workshop/groove_curve.h"
-#include "painted_page.h"
+#include "painted_lightly.h"
 #include "print_qt.h"
 
 namespace nazori::ui {
