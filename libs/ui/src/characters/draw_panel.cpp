@@ -66,7 +66,6 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
          "letters. Ctrl+Z: undo a stroke. Delete: clear. Esc: close."));
 
   candidates_->setViewMode(QListView::IconMode);
-  candidates_->setFlow(QListView::LeftToRight);
   candidates_->setMovement(QListView::Static);
   candidates_->setResizeMode(QListView::Adjust);
   candidates_->setUniformItemSizes(true);

@@ -75,11 +75,8 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, practice::Learne
 
   grid_->setModel(model_);
   grid_->setItemDelegate(delegate_);
-  grid_->setFlow(QListView::LeftToRight);
-  grid_->setWrapping(true);
   grid_->setResizeMode(QListView::Adjust);
   grid_->setUniformItemSizes(true);
-  grid_->setSelectionMode(QAbstractItemView::SingleSelection);
   grid_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   grid_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   grid_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

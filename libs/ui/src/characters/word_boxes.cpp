@@ -85,9 +85,4 @@ void WordBoxes::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-void WordBoxes::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) updateGeometry();
-}
-
 }  // namespace nazori::ui

@@ -68,7 +68,6 @@ PlotPanel::PlotPanel(QWidget* parent)
   error_layout->addWidget(error_sign_, 0, Qt::AlignTop);
   error_layout->addWidget(error_, 1);
   error_row_->hide();
-  progress_->setRange(0, 100);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
   QSizePolicy keeps = progress_->sizePolicy();
@@ -140,7 +139,6 @@ PlotPanel::PlotPanel(QWidget* parent)
   sound->setBuddy(volume_);
   column->addWidget(sound);
   volume_->setRange(0, 100);
-  volume_->setPageStep(10);
   connect(volume_, &QSlider::valueChanged, this, &PlotPanel::volume_changed);
   column->addWidget(volume_);
   connect(mute_, &QCheckBox::clicked, this, &PlotPanel::mute_changed);

@@ -126,7 +126,6 @@ void PointsPanel::show_drawing(const functions::SharedDrawing& drawing) {
                     : stopped ? tr("The drawing was stopped before the points of interest were found.")
                               : localised(drawing->summary));
   const auto count = drawing ? static_cast<int>(drawing->points.size()) : 0;
-  table_->clearContents();
   table_->setRowCount(count);
   for (int row = 0; row < count; ++row) {
     const auto& point = drawing->points[static_cast<std::size_t>(row)];

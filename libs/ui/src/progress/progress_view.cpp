@@ -76,7 +76,6 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
   time_->addItem(tr("1 year"), static_cast<int>(TimeShown::year));
   time_->addItem(tr("All time"), static_cast<int>(TimeShown::everything));
   time_->setCurrentIndex(1);
-  work_->setRange(0, 100);
   work_->setTextVisible(false);
   work_->hide();
   more_->setAutoDefault(true);

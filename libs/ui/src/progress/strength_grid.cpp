@@ -101,11 +101,9 @@ StrengthGrid::StrengthGrid(QWidget* parent) : QListView(parent), model_(new Stre
   setMovement(QListView::Static);
   setResizeMode(QListView::Adjust);
   setUniformItemSizes(true);
-  setSpacing(0);
   setMouseTracking(true);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setSelectionMode(QAbstractItemView::SingleSelection);
   connect(this, &QListView::activated, this,
           [this](const QModelIndex& index) { emit opened(model_->at(index.row())); });
   connect(selectionModel(), &QItemSelectionModel::currentChanged, this,

@@ -133,7 +133,6 @@ void StartView::show_result(const std::optional<practice::PlacementResult>& resu
 }
 
 void StartView::show_plan(char32_t first, const QString& trouble, const std::vector<char32_t>& own_list) {
-  first_ = first;
   const bool checks = wants_check();
   write_->setText(checks       ? tr("Start the test")
                   : first != 0 ? tr("Write %1").arg(to_text(first))

@@ -93,7 +93,6 @@ class StartView final : public QWidget {
   QPushButton *write_, *skip_;
   QLabel *trouble_, *input_;
   std::optional<practice::PlacementResult> found_;
-  char32_t first_ = 0;
   bool is_first_ = true;
 };
 

@@ -33,10 +33,9 @@ QString StartWords::found(const practice::PlacementResult& result, std::optional
       break;
   }
   constexpr int kLastPrimary = 6;
-  return result.grade.value_or(1) <= kLastPrimary
-             ? tr("You can write about %1 of the %2 school kanji, up to grade %3.")
-                   .arg(known, all)
-                   .arg(result.grade.value_or(1))
+  const int grade = result.grade.value_or(1);
+  return grade <= kLastPrimary
+             ? tr("You can write about %1 of the %2 school kanji, up to grade %3.").arg(known, all).arg(grade)
              : tr("You can write about %1 of the %2 school kanji, into secondary school.").arg(known, all);
 }
 

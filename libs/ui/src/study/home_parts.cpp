@@ -69,11 +69,6 @@ QSize StartButton::sizeHint() const {
   return {width, heightForWidth(std::max(width, this->width()))};
 }
 
-void StartButton::changeEvent(QEvent* event) {
-  QPushButton::changeEvent(event);
-  if (event->type() == QEvent::FontChange) updateGeometry();
-}
-
 void StartButton::paintEvent(QPaintEvent* /*event*/) {
   const Colours& c = current_colours();
   QPainter painter(this);

@@ -29,7 +29,6 @@ class StartButton final : public QPushButton {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
   [[nodiscard]] int padding() const;

@@ -101,9 +101,4 @@ void InkGallery::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-void InkGallery::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) updateGeometry();
-}
-
 }  // namespace nazori::ui

@@ -28,7 +28,6 @@ class InkGallery final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
   [[nodiscard]] int columns(int width) const;

@@ -43,7 +43,6 @@ SessionBar::SessionBar(const practice::StudySession& session, const SessionActio
   more_->setText(QStringLiteral("⋯"));
   more_->setToolTip(more_->accessibleName());
   more_->setPopupMode(QToolButton::InstantPopup);
-  more_->setFocusPolicy(Qt::TabFocus);
   // Each entry shows its key.
   auto* menu = new QMenu(more_);
   menu->addActions({actions.reset, actions.postpone, actions.pause, actions.tags});

@@ -37,7 +37,6 @@ StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Prefe
   if (const auto pace = study::pace_of(learner.store())) pace_ = *pace;
   setObjectName(QStringLiteral("study_settings_dialog"));
   setWindowTitle(tr("Study settings"));
-  tabs_->setUsesScrollButtons(true);
   tabs_->setDocumentMode(true);
   make_amount();
   make_lists();
@@ -74,7 +73,6 @@ QWidget* StudySettingsDialog::add_page(const QString& name) {
   form->setContentsMargins(12, 16, 12, 12);
   form->setSpacing(10);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   make_scrolling(area, page);
   tabs_->addTab(area, name);
   return page;

@@ -43,7 +43,6 @@ ToolBar::ToolBar(const Actions& actions, QWidget* parent)
   }
   style_->setMenu(looks);
   style_->setPopupMode(QToolButton::InstantPopup);
-  style_->setFocusPolicy(Qt::TabFocus);
   style_->setToolTip(tr("Tablet style (Ctrl+1, 2, 3)"));
   style_->setToolButtonStyle(Qt::ToolButtonTextOnly);
   style_button_action_ = make_widget_action(style_, this);
