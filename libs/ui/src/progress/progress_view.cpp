@@ -205,12 +205,13 @@ void ProgressView::show_way() {
     way_->setText(
         tr("Nothing studied yet. Start with a few characters on Home, or trace one on the Characters page. "
            "Your progress will appear here in charts and tables."));
+    way_->show();
     return;
   }
   const auto reached = practice::milestones(learner_);
   if (!reached || reached->empty()) {
     title_->setText(tr("Progress"));
-    way_->clear();
+    way_->hide();
     return;
   }
   // All school kanji where they are learned, else the list that is learned now.
