@@ -125,6 +125,16 @@ TEST_F(PaintedCharacters, ARowOfASearchHasWhatMatchesAboveTheRest) {
   EXPECT_NEAR(one_line.words(words("day off")).box.center().y(), 22.5, 1.51) << "one line is in the middle";
 }
 
+TEST_F(PaintedCharacters, WhatIsTooLongForARowIsCutSixPixelsFromItsEnd) {
+  auto found = found_row();
+  found.text = std::string(200, 'x');
+  const Drawing drawn = row(found, {400, 45});  // a tile of 395 x 40
+  const QFontMetricsF metrics(font_);
+  const double room = 395 - 40 - 4 - 6;
+  EXPECT_EQ(drawn.words(words("xx")).text, metrics.elidedText(QString(200, u'x'), Qt::ElideRight, room));
+  EXPECT_GT(metrics.horizontalAdvance(drawn.words(words("xx")).text), room - 12);
+}
+
 TEST_F(PaintedCharacters, ALongWordInARowIsWrittenSmallerSoThatItHasLessThanHalf) {
   auto found = found_row();
   found.word = practice::FoundWord{"一二三四五六七八", "いち", {"long"}};

@@ -216,5 +216,40 @@ TEST_F(PagesOfTheWindow, WhereThereIsOnlyOneThereIsNothingToChoose) {
   EXPECT_FALSE(menus().contains(QStringLiteral("Go")));
 }
 
+TEST_F(PagesOfTheWindow, WhatDoesNotFitInAMenuIsInASubmenuAtItsEndInItsOrder) {
+  window_->move(0, 0);
+  set_text_size(28);
+  const auto names = [](const QMenu& menu) {
+    QStringList all;
+    for (const auto* one : menu.actions())
+      if (!one->isSeparator() && one->menu() == nullptr) all.append(one->text());
+    return all;
+  };
+  int divided = 0;
+  const auto* bar = window_->menuBar();
+  const int room =
+      window_->screen()->availableGeometry().bottom() - bar->mapToGlobal(QPoint(0, bar->height())).y();
+  for (auto* entry : bar->actions()) {
+    auto* menu = entry->menu();
+    const QStringList all = names(*menu);
+    emit menu->aboutToShow();
+    auto* last = menu->actions().constLast();
+    auto* more = last->menu();
+    if (more == nullptr) {
+      EXPECT_EQ(names(*menu), all);
+      continue;
+    }
+    ++divided;
+    EXPECT_EQ(last->text(), QStringLiteral("More"));
+    EXPECT_EQ(names(*menu) + names(*more), all);
+    EXPECT_FALSE(more->actions().constFirst()->isSeparator()) << entry->text().toStdString();
+    EXPECT_LE(menu->sizeHint().height(), room);
+    // One more would not fit.
+    menu->insertAction(last, more->actions().constFirst());
+    EXPECT_GT(menu->sizeHint().height(), room) << entry->text().toStdString();
+  }
+  EXPECT_GE(divided, 1);
+}
+
 }  // namespace
 }  // namespace nazori::ui

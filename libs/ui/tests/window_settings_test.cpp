@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Switches of the whole window: what they do, announce and save.
 #include <QApplication>
+#include <QDir>
+#include <QFile>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -141,6 +143,16 @@ TEST_F(Switches, InFullScreenNothingButTheTabletAndItsSentenceIsLeft) {
   EXPECT_FALSE(window_->windowState().testFlag(Qt::WindowFullScreen));
   for (const char* name : {"menu_bar", "tool_bar", "status_line", "page_rail"})
     EXPECT_TRUE(find(name)->isVisible()) << name;
+}
+
+TEST_F(Switches, SettingsThatCannotBeSavedAreSaidToHoldUntilTheEnd) {
+  const QString file = folder_.filePath(QStringLiteral("nazori.ini"));
+  QFile::remove(file);
+  ASSERT_TRUE(QDir().mkpath(file + QStringLiteral("/in the way")));
+  window_->close();
+  EXPECT_EQ(
+      feedback(),
+      QStringLiteral("Settings could not be saved in %1. They apply until you close Nazori.").arg(file));
 }
 
 }  // namespace
