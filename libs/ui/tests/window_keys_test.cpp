@@ -122,6 +122,18 @@ TEST_F(Keys, EveryMenuEntryShowsAKeyAndNoKeyIsGivenTwice) {
   EXPECT_EQ(keys.removeDuplicates(), 0);
 }
 
+TEST_F(Keys, F10OpensTheFirstMenuAndAltAloneNone) {
+  auto* bar = find<QMenuBar>("menu_bar");
+  press(Qt::Key_F10);
+  ASSERT_NE(bar->activeAction(), nullptr);
+  EXPECT_EQ(bar->activeAction(), bar->actions().constFirst());
+  EXPECT_TRUE(bar->activeAction()->menu()->isVisible());
+  bar->activeAction()->menu()->close();
+  find<QListView>("character_grid")->setFocus();
+  QTest::keyClick(find<QListView>("character_grid"), Qt::Key_Alt, Qt::AltModifier);
+  EXPECT_FALSE(bar->hasFocus());
+}
+
 TEST_F(Keys, EachEntryOfAMenuHasALetterOfItsOwnOnEveryPageInBothLanguages) {
   for (const char* language : {"en", "ja"}) {
     window_.reset();

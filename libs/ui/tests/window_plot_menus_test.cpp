@@ -95,6 +95,7 @@ sound_softer Alt+Shift+M
 [View]
 *left_panel F2
 *right_panel F3
+menus F10
 *full_screen F11
 -
 text_larger Ctrl++ Ctrl+=

@@ -163,6 +163,14 @@
         <translation>アニメーションを使わず、すぐに切り替えます</translation>
     </message>
     <message>
+        <source>Me&amp;nus</source>
+        <translation>メニュー(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Open the first menu; the arrow keys go on</source>
+        <translation>最初のメニューを開きます。矢印キーで移ります</translation>
+    </message>
+    <message>
         <source>&amp;Full screen</source>
         <translation>全画面(&amp;F)</translation>
     </message>
@@ -9304,6 +9312,10 @@ Columns and rows:</source>
     <message>
         <source>Pen down. Move it with the arrow keys; space lifts it.</source>
         <translation>ペンを下ろしました。矢印キーで動かし、スペースで上げます。</translation>
+    </message>
+    <message>
+        <source>Draw a stroke first: there is nothing yet that could be written.</source>
+        <translation>まず一画書いてください。書けるものがまだありません。</translation>
     </message>
     <message>
         <source>Give the character a name first.</source>

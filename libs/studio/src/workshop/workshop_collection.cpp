@@ -75,6 +75,9 @@ void WorkshopPage::keep() {
     actions_->details->trigger();
     return parts().respond(Feedback::wrong, tr("Give the character a name first."));
   }
+  if (bench_->character().strokes.empty())
+    return parts().respond(Feedback::wrong,
+                           tr("Draw a stroke first: there is nothing yet that could be written."));
   const auto place = kept_as();
   const bool was_saved = bench_->editor().state().is_saved;
   if (!place && !choose_use()) return;

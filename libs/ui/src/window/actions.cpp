@@ -93,6 +93,7 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
   // The page sets the text of these two.
   left_panel = make("left_panel", {}, {}, "F2", true, Icon::library);
   right_panel = make("right_panel", {}, {}, "F3", true, Icon::information);
+  menus = make("menus", tr("Me&nus"), tr("Open the first menu; the arrow keys go on"), "F10");
   full_screen = make("full_screen", tr("&Full screen"), tr("Show only the tablet"), "F11", true);
 
   turn_left = make("turn_left", tr("Turn left"), tr("Turn the tablet to the left"), "Ctrl+Left");
@@ -121,9 +122,9 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
               turn_left, turn_right, tilt_up,      tilt_down,    nullptr,      move_left, move_right, move_up,
               move_down, nullptr,    groove_sound, sound_louder, sound_softer, slope_help}};
   view_ = {tr("&View"),
-           {left_panel, right_panel, full_screen, nullptr, text_larger, text_smaller, text_usual, nullptr,
-            theme_desktop, theme_light, theme_dark, reduced_motion, left_handed, nullptr, language_desktop,
-            language_english, language_japanese}};
+           {left_panel, right_panel, menus, full_screen, nullptr, text_larger, text_smaller, text_usual,
+            nullptr, theme_desktop, theme_light, theme_dark, reduced_motion, left_handed, nullptr,
+            language_desktop, language_english, language_japanese}};
   go_ = {tr("&Go"), {}};
   help_ = {tr("&Help"), {keys, about}};
 }

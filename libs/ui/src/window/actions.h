@@ -21,7 +21,7 @@ class Actions final : public ActionSet {
   QAction *theme_desktop, *theme_light, *theme_dark;
   QAction *language_desktop, *language_english, *language_japanese;
   QAction *text_larger, *text_smaller, *text_usual, *reduced_motion, *left_handed;
-  QAction *left_panel, *right_panel, *full_screen;
+  QAction *left_panel, *right_panel, *menus, *full_screen;
   QAction *turn_left, *turn_right, *tilt_up, *tilt_down;
   QAction *move_left, *move_right, *move_up, *move_down;
   QAction *zoom_in, *zoom_out, *reset_view;

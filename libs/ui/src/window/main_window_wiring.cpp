@@ -122,6 +122,10 @@ void MainWindow::Inside::connect_actions() {
     panes->open_right(open);
     if (open) panes->give_keyboard_right();
   });
+  on(actions->menus, [this] {
+    auto* bar = window.menuBar();
+    if (bar->isVisible()) bar->setActiveAction(bar->actions().constFirst());
+  });
   on(actions->full_screen, [this](bool full) { set_full_screen(full); });
 
   camera(actions->turn_left, [](TabletWindow& w) { w.orbit_by(-kTurnStep_px, 0); });

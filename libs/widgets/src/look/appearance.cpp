@@ -33,6 +33,8 @@ class CalmStyle final : public QProxyStyle {
   CalmStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* data) const override {
+    // With a screen reader, Alt and a digit would also enter the menus: key events come late then. F10 does.
+    if (hint == SH_MenuBar_AltKeyNavigation) return 0;
     return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0
                                                        : QProxyStyle::styleHint(hint, option, widget, data);
   }
