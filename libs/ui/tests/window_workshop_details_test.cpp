@@ -417,6 +417,23 @@ TEST_F(WorkshopDetails, WhatCannotBePlottedIsSaidAndTheDialogStays) {
   EXPECT_EQ(character().strokes.size(), 1U);
 }
 
+TEST_F(WorkshopDetails, WhatIsThereIsSaidWithThePlaceOfTheCursor) {
+  press(Qt::Key_S);
+  EXPECT_TRUE(feedback().contains("Cursor: 55 from the left and 55 from the top, of 109."))
+      << feedback().toStdString();
+  press(Qt::Key_Right);
+  press(Qt::Key_Up);
+  press(Qt::Key_Up);
+  const auto at = workshop->bench().cursor();
+  EXPECT_GT(at.x - 54.5, 0);
+  EXPECT_NEAR(at.y - 54.5, -2 * (at.x - 54.5), 1e-9);
+  press(Qt::Key_S);
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Cursor: %1 from the left and %2 from the top")
+                                      .arg(std::lround(at.x))
+                                      .arg(std::lround(at.y))))
+      << feedback().toStdString();
+}
+
 TEST_F(WorkshopDetails, EnterInAFieldAndEscapeInThePanelGiveTheKeyboardBackToTheDrawing) {
   auto* canvas = find<QWidget>("character_canvas");
   press(Qt::Key_D);

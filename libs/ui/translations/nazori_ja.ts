@@ -9314,6 +9314,10 @@ Columns and rows:</source>
         <translation>ペンを下ろしました。矢印キーで動かし、スペースで上げます。</translation>
     </message>
     <message>
+        <source>Cursor: %1 from the left and %2 from the top, of 109.</source>
+        <translation>カーソルは左から%1、上から%2です（全体は109）。</translation>
+    </message>
+    <message>
         <source>Draw a stroke first: there is nothing yet that could be written.</source>
         <translation>まず一画書いてください。書けるものがまだありません。</translation>
     </message>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the actions of the page do to the character.
 #include <array>
+#include <cmath>
 
 #include "nazori/author/check.h"
 #include "nazori/studio/workshop/character_canvas.h"
@@ -220,6 +221,10 @@ void WorkshopPage::describe() {
   if (const QString chosen = selection_words(bench_->character(), bench_->selection()); !chosen.isEmpty())
     words += QLatin1Char(' ') + chosen;
   words += QLatin1Char(' ') + tr("Tool: %1.").arg(tool_name(bench_->settings().tool));
+  const auto cursor = bench_->cursor();
+  words += QLatin1Char(' ') + tr("Cursor: %1 from the left and %2 from the top, of 109.")
+                                  .arg(std::lround(cursor.x))
+                                  .arg(std::lround(cursor.y));
   if (!bench_->editor().state().is_saved) words += QLatin1Char(' ') + tr("Not saved.");
   parts().respond(Feedback::hint, words);
 }
