@@ -2,8 +2,10 @@
 #include "nazori/model/raised.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "boxes.h"
 #include "nazori/geometry/polyline.h"
@@ -38,17 +40,17 @@ std::optional<Box> box_beside(PlatePoint at, PlatePoint direction, double width,
 
 double foot_of(const RaisedLine& line) { return line.width_mm * 0.92; }
 
-}  // namespace
+void occupy(Occupied& occupied, std::span<const RaisedStroke> strokes, const RaisedStrokeSettings& settings) {
+  for (const RaisedStroke& stroke : strokes) {
+    occupied.add_line(stroke.line, foot_of(settings.line));
+    if (settings.start_dots) occupied.add_point(stroke.line.front(), settings.dot_width_mm / 2);
+  }
+}
 
-StrokeNumbers stroke_numbers(std::span<const RaisedStroke> strokes, double width_mm, double height_mm,
-                             const RaisedStrokeSettings& settings) {
+/// Finds places for the numbers of one character, which are occupied then.
+StrokeNumbers place_numbers(std::span<const RaisedStroke> strokes, const Box& page,
+                            const RaisedStrokeSettings& settings, Occupied& occupied) {
   StrokeNumbers made;
-  if (!settings.numbers) return made;
-  Occupied occupied;
-  for (const RaisedStroke& stroke : strokes) occupied.add_line(stroke.line, foot_of(settings.line));
-  if (settings.start_dots)
-    for (const RaisedStroke& stroke : strokes)
-      occupied.add_point(stroke.line.front(), settings.dot_width_mm / 2);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const PlateLine& line = strokes[i].line;
     auto cells = braille_cells(std::to_string(i + 1)).value_or(std::vector<BrailleCell>());
@@ -56,7 +58,7 @@ StrokeNumbers stroke_numbers(std::span<const RaisedStroke> strokes, double width
     const double ahead = std::min(5.0, geometry::arc_length(std::span<const PlatePoint>(line)));
     const PlatePoint direction = geometry::point_at(std::span<const PlatePoint>(line), ahead) - line.front();
     const auto box = box_beside(line.front(), direction, braille_width_mm(cells.size()), braille_height_mm(),
-                                settings.clear_mm, {0, 0, width_mm, height_mm}, occupied);
+                                settings.clear_mm, page, occupied);
     if (!box) {
       made.without_room.push_back(static_cast<int>(i) + 1);
       continue;
@@ -67,17 +69,42 @@ StrokeNumbers stroke_numbers(std::span<const RaisedStroke> strokes, double width
   return made;
 }
 
+}  // namespace
+
+StrokeNumbers stroke_numbers(std::span<const RaisedStroke> strokes, double width_mm, double height_mm,
+                             const RaisedStrokeSettings& settings) {
+  if (!settings.numbers) return {};
+  Occupied occupied;
+  occupy(occupied, strokes, settings);
+  return place_numbers(strokes, {0, 0, width_mm, height_mm}, settings, occupied);
+}
+
+std::vector<int> add_strokes(Plate& plate, std::span<const std::vector<RaisedStroke>> characters,
+                             const RaisedStrokeSettings& settings) {
+  Occupied occupied;
+  for (const std::vector<RaisedStroke>& strokes : characters) {
+    for (const RaisedStroke& stroke : strokes) {
+      plate.add_line(stroke.line, settings.line, stroke.end);
+      if (settings.start_dots)
+        plate.add_dot(stroke.line.front(), settings.dot_width_mm,
+                      settings.line.height_mm + settings.dot_rise_mm);
+    }
+    occupy(occupied, strokes, settings);
+  }
+  std::vector<int> without;
+  if (!settings.numbers) return without;
+  const Box page{0, 0, plate.width_mm(), plate.height_mm()};
+  for (const std::vector<RaisedStroke>& strokes : characters) {
+    const StrokeNumbers made = place_numbers(strokes, page, settings, occupied);
+    for (const StrokeNumber& number : made.numbers) add_braille(plate, number.cells, number.lower_left);
+    without.insert(without.end(), made.without_room.begin(), made.without_room.end());
+  }
+  return without;
+}
+
 std::vector<int> add_strokes(Plate& plate, std::span<const RaisedStroke> strokes,
                              const RaisedStrokeSettings& settings) {
-  for (const RaisedStroke& stroke : strokes) {
-    plate.add_line(stroke.line, settings.line, stroke.end);
-    if (settings.start_dots)
-      plate.add_dot(stroke.line.front(), settings.dot_width_mm,
-                    settings.line.height_mm + settings.dot_rise_mm);
-  }
-  StrokeNumbers made = stroke_numbers(strokes, plate.width_mm(), plate.height_mm(), settings);
-  for (const StrokeNumber& number : made.numbers) add_braille(plate, number.cells, number.lower_left);
-  return std::move(made.without_room);
+  return add_strokes(plate, std::array{std::vector(strokes.begin(), strokes.end())}, settings);
 }
 
 base::Result<Plate> raised_plot(const RaisedPlot& plot, const RaisedPlotSettings& settings) {

@@ -96,14 +96,12 @@ base::Result<RaisedTablets> raised_plate(std::span<const std::vector<RaisedStrok
   const Layout layout(tablets.size(), settings);
   auto plate = layout.plate(kFinestRaised_mm);
   if (!plate) return tl::unexpected(std::move(plate.error()));
-  RaisedTablets made{*std::move(plate), {}};
-  for (std::size_t i = 0; i < tablets.size(); ++i) {
-    std::vector<RaisedStroke> strokes = tablets[i];
-    for (RaisedStroke& stroke : strokes)
+  std::vector<std::vector<RaisedStroke>> placed(tablets.begin(), tablets.end());
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    for (RaisedStroke& stroke : placed[i])
       for (PlatePoint& p : stroke.line) p = layout.lower_left(i) + p * settings.side_mm;
-    const auto without = add_strokes(made.plate, strokes, settings.strokes);
-    made.without_number.insert(made.without_number.end(), without.begin(), without.end());
-  }
+  RaisedTablets made{*std::move(plate), {}};
+  made.without_number = add_strokes(made.plate, placed, settings.strokes);
   return made;
 }
 

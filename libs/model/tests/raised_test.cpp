@@ -77,6 +77,21 @@ TEST(RaisedStrokes, NumbersStandClearOfLinesAndOfEachOther) {
             1 + 2 + 2 + 3 + 2 + 3 + 4 + 3 + 2 + (1 + 3) + (1 + 1) + (1 + 2));
 }
 
+TEST(RaisedStrokes, NumbersStandClearOfTheCharacterBeside) {
+  // Behind the second stroke of the right one, the stroke of the left one ends where the number would stand.
+  const std::vector<std::vector<RaisedStroke>> characters{
+      {{{{10, 30}, {57, 30}}, LineEnd::full}},
+      {{{{70, 50}, {100, 50}}, LineEnd::full}, {{{62, 30}, {100, 30}}, LineEnd::full}}};
+  Plate plate = Plate::create(120, 60, 0.1, 3).value();
+  EXPECT_THAT(add_strokes(plate, characters), IsEmpty());
+  EXPECT_EQ(dots_in(plate, {0, 0}, {120, 60}), 1 + 1 + 2) << "1, and 1 and 2";
+  RaisedStrokeSettings settings;
+  settings.numbers = false;
+  Plate bare = Plate::create(120, 60, 0.1, 3).value();
+  EXPECT_THAT(add_strokes(bare, characters, settings), IsEmpty());
+  EXPECT_EQ(dots_in(bare, {0, 0}, {120, 60}), 0);
+}
+
 TEST(RaisedStrokes, ANumberWithoutRoomIsNamed) {
   std::vector<RaisedStroke> strokes;
   for (int i = 0; i < 14; ++i) strokes.push_back({{{3, 3.0 + 4 * i}, {57, 3.0 + 4 * i}}, LineEnd::full});

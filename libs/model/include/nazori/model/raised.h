@@ -49,6 +49,10 @@ struct StrokeNumbers {
 std::vector<int> add_strokes(Plate& plate, std::span<const RaisedStroke> strokes,
                              const RaisedStrokeSettings& settings = {});
 
+/// The same for several characters. Their numbers keep clear of the strokes and numbers of all.
+std::vector<int> add_strokes(Plate& plate, std::span<const std::vector<RaisedStroke>> characters,
+                             const RaisedStrokeSettings& settings = {});
+
 /// How a curve is drawn, so that several can be told apart.
 enum class CurveStyle : std::uint8_t { solid, dashed, dotted };
 
