@@ -13,6 +13,7 @@
 #include "cursor_layer.h"
 #include "groove_ink.h"
 #include "label_layer.h"
+#include "nazori/view/point_under.h"
 #include "projection.h"
 #include "relief.h"
 #include "stroke_layer.h"
@@ -296,22 +297,11 @@ glm::dvec2 TabletView::project(glm::dvec3 point_m, int width, int height) const 
 }
 
 Camera TabletView::panned(glm::dvec2 from, glm::dvec2 to, int width, int height) const {
-  Camera camera = inside_->camera;
-  const auto grabbed = pick(from, width, height);
-  const auto under = pick(to, width, height);
-  if (grabbed && under) camera.pan = camera.pan + (*grabbed - *under);
-  return within_limits(camera, inside_->shape);
+  return view::panned(inside_->camera, inside_->look.style, inside_->shape, from, to, width, height);
 }
 
 Camera TabletView::zoomed(double factor, glm::dvec2 pixel, int width, int height) const {
-  Camera camera = inside_->camera;
-  camera.zoom *= factor;
-  camera = within_limits(camera, inside_->shape);
-  const auto before = pick(pixel, width, height);
-  const auto after =
-      make_projection(camera, inside_->look.style, inside_->shape, width, height).on_plane(pixel, 0);
-  if (before && after) camera.pan = camera.pan + (*before - *after);
-  return within_limits(camera, inside_->shape);
+  return view::zoomed(inside_->camera, inside_->look.style, inside_->shape, factor, pixel, width, height);
 }
 
 }  // namespace nazori::view

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "nazori/view/point_under.h"
 #include "view_fixtures.h"
 
 namespace nazori::view {
@@ -68,7 +69,7 @@ TEST_P(EveryStyle, ADragMovesThePointUnderThePointerWithIt) {
   studio.view->set_style(GetParam());
   studio.view->set_camera({0.4, 0.6, 1.5, {}});
   const auto grabbed = studio.view->pick({300, 210}, 640, 400);
-  studio.view->set_camera(studio.view->panned({300, 210}, {330, 180}, 640, 400));
+  studio.view->set_camera(panned(studio.view->camera(), GetParam(), {}, {300, 210}, {330, 180}, 640, 400));
   const auto found = studio.view->pick({330, 180}, 640, 400);
   ASSERT_TRUE(grabbed && found);
   EXPECT_NEAR(found->x, grabbed->x, 1e-9);
@@ -80,12 +81,26 @@ TEST_P(EveryStyle, ZoomingKeepsThePointUnderThePointer) {
   studio.view->set_style(GetParam());
   studio.view->set_camera({-0.4, 0.3, 1, {}});
   const auto before = studio.view->pick({350, 230}, 640, 400);
-  studio.view->set_camera(studio.view->zoomed(1.8, {350, 230}, 640, 400));
+  studio.view->set_camera(zoomed(studio.view->camera(), GetParam(), {}, 1.8, {350, 230}, 640, 400));
   const auto after = studio.view->pick({350, 230}, 640, 400);
   ASSERT_TRUE(before && after);
   EXPECT_NEAR(studio.view->camera().zoom, 1.8, 1e-12);
   EXPECT_NEAR(after->x, before->x, 1e-9);
   EXPECT_NEAR(after->y, before->y, 1e-9);
+}
+
+TEST_P(EveryStyle, AMoveWithoutATabletUnderItsEndsMovesNothingAndZoomsInTheMiddle) {
+  const Camera flat{0.1, Camera::kMaxTilt, 0.2, {0.01, 0.02}};
+  const glm::dvec2 sky(320, 0), ground(320, 390);
+  for (const auto& [from, to] : {std::pair(sky, ground), {ground, sky}})
+    EXPECT_EQ(panned(flat, GetParam(), {}, from, to, 640, 400).pan, flat.pan);
+  const Camera nearer = zoomed(flat, GetParam(), {}, 1.5, sky, 640, 400);
+  EXPECT_EQ(nearer.pan, flat.pan);
+  EXPECT_NEAR(nearer.zoom, 0.3, 1e-12);
+  const Camera smallest = zoomed(flat, GetParam(), {}, 0.1, ground, 640, 400);
+  EXPECT_EQ(smallest.zoom, 0.2);
+  EXPECT_NEAR(smallest.pan.x, 0.01, 1e-12) << "it stays where it is";
+  EXPECT_NEAR(smallest.pan.y, 0.02, 1e-12);
 }
 
 TEST_P(EveryStyle, ASightLineOverTheHorizonPicksNothing) {

@@ -131,6 +131,21 @@ TEST_F(PanesInDetail, OfBothFoldedPanelsEachComesBackByItself) {
   EXPECT_EQ(panes_.shown_left(), &left_);
 }
 
+TEST_F(PanesInDetail, OneFoldedPanelGoesAgainWithTheDrawers) {
+  panes_.fold(false, true);
+  panes_.open_right(true);
+  EXPECT_EQ(panes_.shown_right(), &right_);
+  panes_.close_drawers();
+  EXPECT_EQ(panes_.shown_right(), nullptr);
+  EXPECT_EQ(panes_.shown_left(), &left_);
+  panes_.fold(true, false);
+  panes_.open_left(true);
+  EXPECT_EQ(panes_.shown_left(), &left_);
+  panes_.close_drawers();
+  EXPECT_EQ(panes_.shown_left(), nullptr);
+  EXPECT_EQ(panes_.shown_right(), &right_);
+}
+
 TEST_F(PanesInDetail, ADrawerThatIsDraggedIsNoWish) {
   panes_.wish(200, 260);
   panes_.resize(900, 600);

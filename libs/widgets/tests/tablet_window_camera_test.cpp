@@ -114,17 +114,48 @@ TEST_F(CameraByHand, TheRightButtonTurnsAsTheKeysDo) {
   expect_same(under(100, 40), by_key);
 }
 
-TEST_F(CameraByHand, TheMiddleButtonAndTheRightOneWithShiftDoNotTurn) {
-  const auto first = under(100, 40);
-  press({400, 300}, Qt::MiddleButton);
-  move({440, 320}, Qt::MiddleButton);
-  EXPECT_FALSE(controller_.stylus_in_range() && controller_.is_pressed());
-  release({440, 320}, Qt::MiddleButton);
+TEST_F(CameraByHand, TheMiddleButtonAndTheRightOneWithShiftTakeTheTabletAlong) {
+  for (const auto& [button, modifiers] : {std::pair(Qt::MiddleButton, Qt::KeyboardModifiers()),
+                                          {Qt::RightButton, Qt::KeyboardModifiers(Qt::ShiftModifier)}}) {
+    const auto first = under(0, 0);
+    press({400, 300}, button, modifiers);
+    move({440, 320}, button);
+    EXPECT_FALSE(controller_.stylus_in_range() && controller_.is_pressed());
+    move({430, 340}, button);
+    release({430, 340}, button);
+    expect_same(under(30, 40), first);
+    window_.reset_camera();
+    expect_same(under(0, 0), first);
+  }
+}
+
+TEST_F(CameraByHand, TheKeysMoveTheMiddleOfTheView) {
+  const auto first = under(0, 0);
+  window_.pan_by(40, -30);
+  expect_same(under(40, -30), first);
+  window_.reset_camera();
+  window_.pan_by(-25, 10);
+  expect_same(under(-25, 10), first);
+}
+
+TEST_F(CameraByHand, TheWheelMagnifiesAroundThePointer) {
+  const auto wheel = [this](QPointF at, int by) {
+    QWheelEvent event(at, at, {}, QPoint(0, by), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&window_, &event);
+  };
+  window_.zoom_by(1.15 * 1.15);
+  const auto by_key = under(100, 40);
+  window_.reset_camera();
+  const auto first = under(100, 40), middle = under(0, 0);
+  wheel({400, 300}, 240);
+  expect_same(under(100, 40), by_key);
+  wheel({400, 300}, -240);
   expect_same(under(100, 40), first);
-  press({400, 300}, Qt::RightButton, Qt::ShiftModifier);
-  move({440, 320}, Qt::RightButton);
-  release({440, 320}, Qt::RightButton);
+  wheel({500, 340}, 240);
   expect_same(under(100, 40), first);
+  const auto now = under(0, 0);
+  EXPECT_GT(now.x, middle.x + 1e-4) << "nearer to the pointer";
+  EXPECT_LT(now.y, middle.y - 1e-4);
 }
 
 TEST_F(CameraByHand, TheLeftButtonWritesFromItsPressToItsRelease) {

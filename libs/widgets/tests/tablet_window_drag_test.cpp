@@ -254,6 +254,35 @@ TEST_F(DragsOnTheTablet, AViewThatWasTiltedOrZoomedStaysWithAnotherStyle) {
   }
 }
 
+TEST_F(DragsOnTheTablet, TwoFingersMoveAndMagnifyTheTabletAsTheMouseDoes) {
+  press({450, 300}, Qt::MiddleButton);
+  move({460, 330});
+  release({460, 330}, Qt::MiddleButton);
+  QWheelEvent wheel(QPointF(460, 330), QPointF(460, 330), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&window_, &wheel);
+  const auto by_mouse = under();
+  window_.reset_camera();
+  const auto home = under();
+  EXPECT_FALSE(same(home, by_mouse));
+  const auto pinch = [this](QEvent::Type type, QEventPoint::State state, QPointF middle, double apart) {
+    fingers(type, {{state, middle - QPointF(apart / 2, 0)}, {state, middle + QPointF(apart / 2, 0)}});
+  };
+  using State = QEventPoint::State;
+  pinch(QEvent::TouchBegin, State::Pressed, {450, 300}, 100);
+  pinch(QEvent::TouchUpdate, State::Updated, {460, 330}, 100 * view::Camera::kZoomStep);
+  pinch(QEvent::TouchEnd, State::Released, {460, 330}, 100 * view::Camera::kZoomStep);
+  EXPECT_TRUE(same(under(), by_mouse));
+  // From or to one and the same place there is no share by which they came apart.
+  window_.reset_camera();
+  pinch(QEvent::TouchBegin, State::Pressed, {450, 300}, 0);
+  pinch(QEvent::TouchUpdate, State::Updated, {450, 300}, 100);
+  pinch(QEvent::TouchUpdate, State::Updated, {450, 300}, 1);
+  pinch(QEvent::TouchUpdate, State::Updated, {450, 300}, 50);
+  pinch(QEvent::TouchEnd, State::Released, {450, 300}, 50);
+  EXPECT_TRUE(same(under(), home));
+}
+
 TEST_F(DragsOnTheTablet, AWheelWithoutAPressChangesNoDepth) {
   press({400, 300}, Qt::LeftButton);
   const double depth_m = controller_.depth_m();

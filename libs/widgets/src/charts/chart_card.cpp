@@ -158,7 +158,7 @@ void ChartCard::set_shows_numbers(bool numbers) {
 
 void ChartCard::focus_content() {
   QWidget* content = stack_->currentWidget();
-  if (content == table_ && table_->currentRow() < 0 && table_->rowCount() > 0) table_->setCurrentCell(0, 0);
+  if (content == table_ && table_->currentRow() < 0) table_->setCurrentCell(0, 0);
   content->setFocus(Qt::ShortcutFocusReason);
 }
 

@@ -57,9 +57,7 @@ Panes::Panes(QWidget* tablet, QWidget* parent)
   setChildrenCollapsible(false);
   setHandleWidth(1);
   for (auto* widget : {left_, tablet, right_}) addWidget(widget);
-  setStretchFactor(0, 0);
   setStretchFactor(1, 1);
-  setStretchFactor(2, 0);
   left_->setMinimumWidth(kLeftMin_px);
   right_->setMinimumWidth(kRightMin_px);
   connect(this, &QSplitter::splitterMoved, this, [this] {

@@ -148,15 +148,17 @@ void TabletWindow::paintGL() {
 // A window that becomes smaller gets no expose event.
 void TabletWindow::resizeGL(int /*width*/, int /*height*/) { request_frame(); }
 
-std::optional<geometry::TabletPoint> TabletWindow::point_under(QPointF position) const {
+geometry::TabletShape TabletWindow::shape() const {
   const auto& carved = controller_->tablet();
-  return view::point_under(camera_, style_, carved ? carved->shape() : geometry::TabletShape{},
-                           {position.x(), position.y()}, width(), height());
+  return carved ? carved->shape() : geometry::TabletShape{};
+}
+
+std::optional<geometry::TabletPoint> TabletWindow::point_under(QPointF position) const {
+  return view::point_under(camera_, style_, shape(), {position.x(), position.y()}, width(), height());
 }
 
 void TabletWindow::set_camera(const view::Camera& camera) {
   camera_ = camera;
-  if (view_) view_->set_camera(camera_);
   request_frame();
 }
 
@@ -183,12 +185,19 @@ view::Camera TabletWindow::turned(QPointF drag) const {
   return view::within_limits(camera);
 }
 
+view::Camera TabletWindow::panned(QPointF from, QPointF to) const {
+  return view::panned(camera_, style_, shape(), {from.x(), from.y()}, {to.x(), to.y()}, width(), height());
+}
+
+view::Camera TabletWindow::zoomed(double factor, QPointF at) const {
+  return view::zoomed(camera_, style_, shape(), factor, {at.x(), at.y()}, width(), height());
+}
+
 void TabletWindow::orbit_by(double right, double down) { glide_to(turned({right, down})); }
 
 void TabletWindow::pan_by(double right, double down) {
-  if (!view_) return;
-  const glm::dvec2 middle(width() / 2.0, height() / 2.0);
-  glide_to(view_->panned(middle, middle + glm::dvec2(right, down), width(), height()));
+  const QPointF middle(width() / 2.0, height() / 2.0);
+  glide_to(panned(middle, middle + QPointF(right, down)));
 }
 
 void TabletWindow::zoom_by(double factor) {

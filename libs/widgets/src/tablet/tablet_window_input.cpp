@@ -26,10 +26,7 @@ void TabletWindow::begin_drag(Drag drag, QPointF position) {
 }
 
 void TabletWindow::drag_camera(QPointF to) {
-  if (drag_ == Drag::orbit)
-    set_camera(turned(to - drag_from_));
-  else if (view_)
-    set_camera(view_->panned({drag_from_.x(), drag_from_.y()}, {to.x(), to.y()}, width(), height()));
+  set_camera(drag_ == Drag::orbit ? turned(to - drag_from_) : panned(drag_from_, to));
   drag_from_ = to;
 }
 
@@ -126,10 +123,9 @@ void TabletWindow::touchEvent(QTouchEvent* event) {
     const QPointF middle = (first + second) / 2;
     const double apart = QLineF(first, second).length();
     if (fingers_ == 1) controller_->lift_stylus();
-    if (fingers_ == 2 && view_ && apart > 1 && pinch_apart_ > 1) {
-      set_camera(
-          view_->panned({pinch_middle_.x(), pinch_middle_.y()}, {middle.x(), middle.y()}, width(), height()));
-      set_camera(view_->zoomed(apart / pinch_apart_, {middle.x(), middle.y()}, width(), height()));
+    if (fingers_ == 2 && apart > 1 && pinch_apart_ > 1) {
+      set_camera(panned(pinch_middle_, middle));
+      set_camera(zoomed(apart / pinch_apart_, middle));
     }
     fingers_ = 2;
     pinch_middle_ = middle;
@@ -163,11 +159,9 @@ void TabletWindow::wheelEvent(QWheelEvent* event) {
     since_move_.restart();
     return;
   }
-  if (!view_) return;
   glide_.stop();
   // The point under the pointer stays in place.
-  const QPointF at = event->position();
-  set_camera(view_->zoomed(std::pow(view::Camera::kZoomStep, notches), {at.x(), at.y()}, width(), height()));
+  set_camera(zoomed(std::pow(view::Camera::kZoomStep, notches), event->position()));
 }
 
 void TabletWindow::keyPressEvent(QKeyEvent* event) {

@@ -71,6 +71,7 @@ class TabletWindow final : public QOpenGLWindow {
  private:
   enum class Drag : std::uint8_t { none, stylus, orbit, pan };
 
+  [[nodiscard]] geometry::TabletShape shape() const;
   [[nodiscard]] std::optional<geometry::TabletPoint> point_under(QPointF position) const;
   void request_frame();
   void set_camera(const view::Camera& camera);
@@ -78,6 +79,8 @@ class TabletWindow final : public QOpenGLWindow {
   void glide_to(const view::Camera& camera);
   /// The camera after a drag: to the right turns the tablet to the right, upwards lays it flatter.
   [[nodiscard]] view::Camera turned(QPointF drag) const;
+  [[nodiscard]] view::Camera panned(QPointF from, QPointF to) const;
+  [[nodiscard]] view::Camera zoomed(double factor, QPointF at) const;
   void drag_camera(QPointF to);
   /// @param event_ms  of the window system's clock, 0 unknown.
   void point_stylus(QPointF position, bool pressed, std::optional<double> pressure, quint64 event_ms);
