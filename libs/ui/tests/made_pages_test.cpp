@@ -252,7 +252,7 @@ TEST_F(MadePages, TheDaysOfAYearAreSaidWithWhatWasDone) {
   EXPECT_EQ(YearView::words(day).toStdString(), "2 Mar 2026: practised 1, 5 min");
 }
 
-TEST_F(MadePages, ThatItWasToldTheKeysAreThoseOfTheCalendar) {
+TEST_F(MadePages, TheKeysOfTheCalendarGoFromDayToDayWithinItsYear) {
   YearView year(nullptr);
   study::Statistics statistics;
   statistics.today = *study::parse_day("2026-03-02");

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QMenuBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -143,6 +144,15 @@ TEST_F(Switches, InFullScreenNothingButTheTabletAndItsSentenceIsLeft) {
   EXPECT_FALSE(window_->windowState().testFlag(Qt::WindowFullScreen));
   for (const char* name : {"menu_bar", "tool_bar", "status_line", "page_rail"})
     EXPECT_TRUE(find(name)->isVisible()) << name;
+}
+
+TEST_F(Switches, WhatTheWindowSystemMakesFullScreenIsFullScreen) {
+  window_->showFullScreen();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return action("full_screen")->isChecked(); }, 5000));
+  EXPECT_FALSE(window_->menuBar()->isVisible());
+  window_->showNormal();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !action("full_screen")->isChecked(); }, 5000));
+  EXPECT_TRUE(window_->menuBar()->isVisible());
 }
 
 TEST_F(Switches, SettingsThatCannotBeSavedAreSaidToHoldUntilTheEnd) {
