@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "in_english.h"
+#include "nazori/studio/workshop/character_canvas.h"
+#include "nazori/studio/workshop/workshop_actions.h"
+#include "nazori/studio/workshop/workshop_page.h"
+#include "nazori/studio/workshop/workshop_panel.h"
+#include "nazori/widgets/page/window_parts.h"
+#include "print_qt.h"
+
+namespace nazori::ui::test {
+
+/// The page of the workshop in a window that has nothing else, with what it says.
+class WorkshopPageTest : public testing::Test {
+ protected:
+  WorkshopPageTest() {
+    speak_english();
+    const auto note = [this](Feedback kind, const QString& sentence) {
+      kind_ = kind;
+      said_.append(sentence);
+    };
+    QObject::connect(&parts_, &WindowParts::announced, &window_, note);
+    QObject::connect(&parts_, &WindowParts::respond, &window_, note);
+    QObject::connect(&parts_, &WindowParts::save_later, &window_, [this] { ++saves_; });
+    open_page();
+  }
+  void open_page() {
+    page_.reset();
+    page_ = std::make_unique<WorkshopPage>(parts_);
+    page_->enter();
+  }
+  [[nodiscard]] WorkshopActions& actions() const { return *static_cast<WorkshopActions*>(page_->actions()); }
+  [[nodiscard]] CharacterCanvas& canvas() const {
+    return *page_->instead_of_tablet()->findChild<CharacterCanvas*>();
+  }
+  [[nodiscard]] WorkshopPanel& panel() const {
+    return *page_->instead_of_tablet()->findChild<WorkshopPanel*>();
+  }
+  [[nodiscard]] const author::Workbench& bench() const { return page_->bench(); }
+  [[nodiscard]] const author::OwnStroke& stroke(std::size_t number) const {
+    return bench().character().strokes.at(number);
+  }
+  void click(geometry::GlyphPoint at) {
+    for (const bool down : {true, false}) emit canvas().pen_moved({at, time_s_ += 0.02}, down);
+  }
+  /// Makes a stroke of placed points and chooses it.
+  void place(const std::vector<geometry::GlyphPoint>& points) {
+    actions().tools[static_cast<std::size_t>(author::Tool::place)]->trigger();
+    for (const auto& point : points) click(point);
+    actions().finish->trigger();
+    said_.clear();
+  }
+  void choose(author::Tool tool) {
+    actions().tools[static_cast<std::size_t>(tool)]->trigger();
+    said_.clear();
+  }
+  void name(const char* text) {
+    auto facts = bench().character().facts;
+    facts.name = text;
+    emit panel().facts_typed(facts);
+    said_.clear();
+  }
+  /// What an action says.
+  QString by(QAction* action) {
+    said_.clear();
+    action->trigger();
+    return said_.join(QLatin1Char('|'));
+  }
+  /// Waits for files, and for what is said of them.
+  QString said_of_files() {
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !page_->is_busy_with_files() && !said_.isEmpty(); }, 20'000));
+    return said_.join(QLatin1Char('|'));
+  }
+  [[nodiscard]] QString file(const char* name) const { return folder_.filePath(QString::fromUtf8(name)); }
+
+  QTemporaryDir folder_;
+  QWidget window_;
+  WindowParts parts_{
+      window_,
+      file("nazori.ini"),
+      {file("learners").toStdString(),
+       {std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db", file("own").toStdString()},
+       {}}};
+  std::unique_ptr<WorkshopPage> page_;
+  Feedback kind_ = Feedback::hint;
+  QStringList said_;
+  int saves_ = 0;
+  double time_s_ = 1;
+};
+
+}  // namespace nazori::ui::test
