@@ -426,10 +426,10 @@ TEST(KanjiCharacter, SaysWhatIsKnownOfIt) {
 
 TEST(KanjiCharacter, HasReadingsOfKatakanaAloneAsOnyomi) {
   OwnCharacter sign = sign_called("our sign");
-  sign.facts.readings = {"ラーヿ", "らー", "カか", "a", "゠ア"};
+  sign.facts.readings = {"ラーヿ", "らー", "カか", "a", "カ木", "゠ア"};
   const kanji::Character character = kanji_character(sign, 0xF0005);
   EXPECT_THAT(character.entry.on_readings, ElementsAre("ラーヿ", "゠ア"));
-  EXPECT_THAT(character.entry.kun_readings, ElementsAre("らー", "カか", "a"));
+  EXPECT_THAT(character.entry.kun_readings, ElementsAre("らー", "カか", "a", "カ木"));
 }
 
 TEST(KanjiCharacter, WithTheNameOfOneLetterHasThatLetterAsItsPart) {

@@ -151,6 +151,19 @@ TEST(Gaps, WhereNoEndIsWholeNearTheGapBothPartsReachIt) {
   EXPECT_FALSE(parts[0].back_tip->thins_out);
 }
 
+TEST(Gaps, ABranchThatTouchesANodeWithItsLastPointIsOnlyCutOffFromIt) {
+  const int last = kFirst + kPoints - 1;
+  Branch branch = row_branch();
+  branch.to = 0;
+  const auto radius = [=](int x) { return x == last ? 5.0 : x < last && x >= last - 11 ? 9.3 : 10.0; };
+  const auto parts = divided(row_map(radius), branch, {{{last + 1.0, kRow}, 10}});
+  ASSERT_EQ(parts.size(), 1U);
+  expect_columns(parts[0], kFirst, last);
+  EXPECT_EQ(parts[0].to, -1);
+  ASSERT_TRUE(parts[0].back_tip);
+  EXPECT_EQ(parts[0].back_tip->at.x, last);
+}
+
 TEST(Gaps, TheyAreSoughtWithinTwoAndAHalfOfTheWidestRadiusAround) {
   // To the right the groove is whole only 30 columns away, farther than 2.5 x 10.
   const auto depth = [](int x) {
