@@ -39,7 +39,7 @@ PointerState between(const PointerState& from, const PointerState& to, double sh
 PointerState PointerPlayback::play() noexcept {
   step_s_ = kPeriod_s;
   const bool timed = timed_.load(std::memory_order_acquire);
-  if (!timed || anew_.exchange(false, std::memory_order_acquire)) {
+  if (!timed || is_full_.exchange(false, std::memory_order_acquire)) {
     while (events_.pop()) {
     }
     clock_s_ =
@@ -56,12 +56,12 @@ PointerState PointerPlayback::play() noexcept {
     clock_s_ = begin_s;
   else
     clock_s_ += step_s_ = kPeriod_s * std::clamp(1 + late_s / kCatchUp_s, 1.0, PointerDevice::kFastest);
-  while (events_.read_available() > 0 && events_.front().at_s <= clock_s_) {
+  while (events_.read_available() > 0 && (events_.front().begins_anew || events_.front().at_s <= clock_s_)) {
     const bool was_pressed = played_.state.pressed;
     played_ = events_.front();
     events_.pop();
     // Coming down and lifting are never skipped.
-    if (played_.state.pressed != was_pressed) clock_s_ = played_.at_s;
+    if (played_.begins_anew || played_.state.pressed != was_pressed) clock_s_ = played_.at_s;
   }
   if (events_.read_available() == 0) return played_.state;
   const TimedState& next = events_.front();
@@ -104,13 +104,13 @@ void PointerPlayback::move(const PointerState& state) noexcept {
 
 void PointerPlayback::move(const PointerState& state, double event_s) noexcept {
   if (!usable(state) || !std::isfinite(event_s)) return;
-  const bool first = event_s < told_s_ || !timed_.load(std::memory_order_relaxed);
+  const bool begins_anew = event_s < told_s_ || !timed_.load(std::memory_order_relaxed);
   told_s_ = event_s;
   newest_.back() = state;
   newest_.publish();
   last_event_s_.store(event_s, std::memory_order_release);
-  // Without earlier states or room for another it applies at once.
-  if (first || !events_.push({state, event_s})) anew_.store(true, std::memory_order_release);
+  // Without room for it the newest state applies at once, and what is queued goes.
+  if (!events_.push({state, event_s, begins_anew})) is_full_.store(true, std::memory_order_release);
   timed_.store(true, std::memory_order_release);
 }
 

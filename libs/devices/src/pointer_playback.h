@@ -30,6 +30,7 @@ class PointerPlayback {
   struct TimedState {
     PointerState state;
     double at_s = 0;
+    bool begins_anew = false;  ///< no state before it leads to it: it applies at once
   };
   PointerState play() noexcept;
 
@@ -38,7 +39,7 @@ class PointerPlayback {
   boost::lockfree::spsc_queue<TimedState, boost::lockfree::capacity<kQueue>> events_;
   std::atomic<double> last_event_s_{0};                       // of the newest in the queue
   std::atomic<bool> timed_{false};                            // whether the newest state has a time
-  std::atomic<bool> anew_{false};                             // the newest state applies at once
+  std::atomic<bool> is_full_{false};                          // the newest state is not in the queue
   double told_s_ = -std::numeric_limits<double>::infinity();  // interface: time of the last event
   // Clock thread.
   TimedState played_{PointerState{0, 0, 0, false, false}, 0};

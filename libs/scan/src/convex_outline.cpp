@@ -98,10 +98,11 @@ std::vector<RowInside> rows_inside(const ConvexOutline& outline, int width, int 
         last = std::max(last, x);
       }
     }
+    if (first > last) continue;
     const int from = std::max(0, static_cast<int>(std::ceil(std::max(first, -1.0))));
     const int to =
         std::min(width - 1, static_cast<int>(std::floor(std::min(last, static_cast<double>(width)))));
-    if (first <= last && from <= to) rows.push_back({row, from, to});
+    if (from <= to) rows.push_back({row, from, to});
   }
   return rows;
 }

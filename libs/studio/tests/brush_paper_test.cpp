@@ -471,7 +471,8 @@ TEST_F(SheetUnderTheBrush, OnlyTheTipWritesAndOnlyWhereItCameDownOnTheSheet) {
 TEST_F(SheetUnderTheBrush, AFingerWritesAndASecondOneEndsIt) {
   view_.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&view_));
-  auto* screen = QTest::createTouchDevice();
+  // Qt keeps the devices of a program until its end.
+  static auto* const screen = QTest::createTouchDevice();
   const QPoint middle = view_.place().rect.center().toPoint();
   QTest::touchEvent(&view_, screen).press(1, middle);
   QTest::touchEvent(&view_, screen).move(1, middle + QPoint(20, 10));

@@ -185,13 +185,16 @@ TEST_F(PageOfTheWorkshop, ACheckSaysAllThatItFindsAndEndsWithTheNextChange) {
 }
 
 TEST_F(PageOfTheWorkshop, TellsWhatIsThere) {
-  EXPECT_EQ(by(actions().describe),
-            sentence("No name yet: no strokes. Tool: %1.").arg(tool_name(Tool::draw)));
+  EXPECT_EQ(
+      by(actions().describe),
+      sentence("No name yet: no strokes. Tool: %1. Cursor: 55 from the left and 55 from the top, of 109.")
+          .arg(tool_name(Tool::draw)));
   place({{20, 30}, {80, 30}});
   name("山");
   const QString all = character_words(bench().character()) + QLatin1Char(' ') +
                       selection_words(bench().character(), {0, {}}) +
-                      sentence(" Tool: %1. Not saved.").arg(tool_name(Tool::place));
+                      sentence(" Tool: %1. Cursor: 80 from the left and 30 from the top, of 109. Not saved.")
+                          .arg(tool_name(Tool::place));
   EXPECT_EQ(by(actions().describe), all);
 }
 
