@@ -36,17 +36,27 @@ PointerState between(const PointerState& from, const PointerState& to, double sh
 
 }  // namespace
 
+PointerPlayback::TimedState PointerPlayback::taken() noexcept {
+  const TimedState next = events_.front();
+  events_.pop();
+  if (next.begins_anew) begun_anew_.fetch_sub(1, std::memory_order_relaxed);
+  return next;
+}
+
 PointerState PointerPlayback::play() noexcept {
   step_s_ = kPeriod_s;
   const bool timed = timed_.load(std::memory_order_acquire);
   if (!timed || is_full_.exchange(false, std::memory_order_acquire)) {
-    while (events_.pop()) {
-    }
+    while (events_.read_available() > 0) (void)taken();
     clock_s_ =
         timed ? last_event_s_.load(std::memory_order_relaxed) : -std::numeric_limits<double>::infinity();
     played_ = {newest_.latest(), clock_s_};
     return played_.state;
   }
+  // What comes before a new beginning is of no interest any more.
+  while (begun_anew_.load(std::memory_order_acquire) > 0 && events_.read_available() > 0 &&
+         !events_.front().begins_anew)
+    (void)taken();
   if (events_.read_available() == 0) return played_.state;
   const double late_s = last_event_s_.load(std::memory_order_acquire) - clock_s_;
   // Pauses are skipped: the playback continues a little before the next event.
@@ -58,8 +68,7 @@ PointerState PointerPlayback::play() noexcept {
     clock_s_ += step_s_ = kPeriod_s * std::clamp(1 + late_s / kCatchUp_s, 1.0, PointerDevice::kFastest);
   while (events_.read_available() > 0 && (events_.front().begins_anew || events_.front().at_s <= clock_s_)) {
     const bool was_pressed = played_.state.pressed;
-    played_ = events_.front();
-    events_.pop();
+    played_ = taken();
     // Coming down and lifting are never skipped.
     if (played_.begins_anew || played_.state.pressed != was_pressed) clock_s_ = played_.at_s;
   }
@@ -110,7 +119,10 @@ void PointerPlayback::move(const PointerState& state, double event_s) noexcept {
   newest_.publish();
   last_event_s_.store(event_s, std::memory_order_release);
   // Without room for it the newest state applies at once, and what is queued goes.
-  if (!events_.push({state, event_s, begins_anew})) is_full_.store(true, std::memory_order_release);
+  if (!events_.push({state, event_s, begins_anew}))
+    is_full_.store(true, std::memory_order_release);
+  else if (begins_anew)
+    begun_anew_.fetch_add(1, std::memory_order_release);
   timed_.store(true, std::memory_order_release);
 }
 
