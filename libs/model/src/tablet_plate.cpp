@@ -30,8 +30,10 @@ class Layout {
   [[nodiscard]] double height() const { return extent(rows_) + (s_.hanging_hole ? kHoleStrip_mm : 0); }
   [[nodiscard]] PlatePoint lower_left(std::size_t i) const {
     const double pitch = s_.side_mm + s_.gap_mm;
-    return {s_.margin_mm + static_cast<double>(i % columns_) * pitch,
-            s_.margin_mm + static_cast<double>(rows_ - 1 - i / columns_) * pitch};
+    const auto column = i % columns_;
+    const auto row_above_last = rows_ - 1 - i / columns_;
+    return {s_.margin_mm + static_cast<double>(column) * pitch,
+            s_.margin_mm + static_cast<double>(row_above_last) * pitch};
   }
   [[nodiscard]] base::Result<Plate> plate(double finest_mm) const {
     const double step =

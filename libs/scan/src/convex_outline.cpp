@@ -75,7 +75,7 @@ std::optional<std::array<PhotoPoint, 4>> quadrilateral_in(const ConvexOutline& o
     }
     if (area + least > 2 * area) return std::nullopt;
     sides[gone] = corner;
-    sides.erase(sides.begin() + static_cast<std::ptrdiff_t>((gone + 1) % n));
+    sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(gone + 1 < n ? gone + 1 : 0));
   }
   if (sides.size() != 4 || area < share * area_of(sides)) return std::nullopt;
   const auto upper_left = std::min_element(sides.begin(), sides.end(),
