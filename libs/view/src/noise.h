@@ -50,7 +50,8 @@ class NoiseLine {
   /// @param low,high  where most values will be asked for.
   NoiseLine(float y, std::uint32_t seed, float low = -8, float high = 55)
       : seed_(seed), first_(static_cast<std::int32_t>(std::floor(low))) {
-    knots_.resize(static_cast<std::size_t>(static_cast<std::int32_t>(std::floor(high)) - first_ + 2));
+    const std::int32_t count = static_cast<std::int32_t>(std::floor(high)) - first_ + 2;
+    knots_.resize(static_cast<std::size_t>(count));
     set_y(y);
   }
   /// Moves the line.

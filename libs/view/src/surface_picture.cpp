@@ -108,7 +108,7 @@ class RowPainter {
       rgba[1] = code(points_.green[i]);
       rgba[2] = code(points_.blue[i]);
       rgba[3] = code(key_[i]);
-      picture.heights[texel] = static_cast<std::uint8_t>(heights_[i] * 255 + 0.5F);
+      picture.heights[texel] = static_cast<std::uint8_t>(std::lround(heights_[i] * 255));
     }
   }
 
