@@ -39,7 +39,7 @@ PointerState between(const PointerState& from, const PointerState& to, double sh
 PointerPlayback::TimedState PointerPlayback::taken() noexcept {
   const TimedState next = events_.front();
   events_.pop();
-  if (next.begins_anew) begun_anew_.fetch_sub(1, std::memory_order_relaxed);
+  if (next.is_restart) restarts_.fetch_sub(1, std::memory_order_relaxed);
   return next;
 }
 
@@ -53,9 +53,9 @@ PointerState PointerPlayback::play() noexcept {
     played_ = {newest_.latest(), clock_s_};
     return played_.state;
   }
-  // What comes before a new beginning is of no interest any more.
-  while (begun_anew_.load(std::memory_order_acquire) > 0 && events_.read_available() > 0 &&
-         !events_.front().begins_anew)
+  // States before the last restart are not played.
+  while (restarts_.load(std::memory_order_acquire) > 0 && events_.read_available() > 0 &&
+         !events_.front().is_restart)
     (void)taken();
   if (events_.read_available() == 0) return played_.state;
   const double late_s = last_event_s_.load(std::memory_order_acquire) - clock_s_;
@@ -66,11 +66,11 @@ PointerState PointerPlayback::play() noexcept {
     clock_s_ = begin_s;
   else
     clock_s_ += step_s_ = kPeriod_s * std::clamp(1 + late_s / kCatchUp_s, 1.0, PointerDevice::kFastest);
-  while (events_.read_available() > 0 && (events_.front().begins_anew || events_.front().at_s <= clock_s_)) {
+  while (events_.read_available() > 0 && (events_.front().is_restart || events_.front().at_s <= clock_s_)) {
     const bool was_pressed = played_.state.pressed;
     played_ = taken();
     // Coming down and lifting are never skipped.
-    if (played_.begins_anew || played_.state.pressed != was_pressed) clock_s_ = played_.at_s;
+    if (played_.is_restart || played_.state.pressed != was_pressed) clock_s_ = played_.at_s;
   }
   if (events_.read_available() == 0) return played_.state;
   const TimedState& next = events_.front();
@@ -113,16 +113,16 @@ void PointerPlayback::move(const PointerState& state) noexcept {
 
 void PointerPlayback::move(const PointerState& state, double event_s) noexcept {
   if (!usable(state) || !std::isfinite(event_s)) return;
-  const bool begins_anew = event_s < told_s_ || !timed_.load(std::memory_order_relaxed);
+  const bool is_restart = event_s < told_s_ || !timed_.load(std::memory_order_relaxed);
   told_s_ = event_s;
   newest_.back() = state;
   newest_.publish();
   last_event_s_.store(event_s, std::memory_order_release);
   // Without room for it the newest state applies at once, and what is queued goes.
-  if (!events_.push({state, event_s, begins_anew}))
+  if (!events_.push({state, event_s, is_restart}))
     is_full_.store(true, std::memory_order_release);
-  else if (begins_anew)
-    begun_anew_.fetch_add(1, std::memory_order_release);
+  else if (is_restart)
+    restarts_.fetch_add(1, std::memory_order_release);
   timed_.store(true, std::memory_order_release);
 }
 

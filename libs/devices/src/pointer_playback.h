@@ -30,7 +30,7 @@ class PointerPlayback {
   struct TimedState {
     PointerState state;
     double at_s = 0;
-    bool begins_anew = false;  ///< no state before it leads to it: it applies at once
+    bool is_restart = false;  ///< playback starts over with it: it applies at once
   };
   PointerState play() noexcept;
   /// Takes the next state out of the queue, which is not empty.
@@ -39,10 +39,10 @@ class PointerPlayback {
   static constexpr std::size_t kQueue = 4096;
   haptics::LatestValue<PointerState> newest_{PointerState{0, 0, 0, false, false}};
   boost::lockfree::spsc_queue<TimedState, boost::lockfree::capacity<kQueue>> events_;
-  std::atomic<double> last_event_s_{0};                       // of the newest in the queue
-  std::atomic<bool> timed_{false};                            // whether the newest state has a time
-  std::atomic<int> begun_anew_{0};                            // states in the queue that begin anew
-  std::atomic<bool> is_full_{false};                          // the newest state is not in the queue
+  std::atomic<double> last_event_s_{0};  // of the newest in the queue
+  std::atomic<bool> timed_{false};       // whether the newest state has a time
+  std::atomic<int> restarts_{0};         // states in the queue from which playback starts over
+  std::atomic<bool> is_full_{false};     // the newest state is not in the queue
   double told_s_ = -std::numeric_limits<double>::infinity();  // interface: time of the last event
   // Clock thread.
   TimedState played_{PointerState{0, 0, 0, false, false}, 0};

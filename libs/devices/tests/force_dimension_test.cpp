@@ -177,7 +177,7 @@ TEST_F(ForceDimension, AReadingThatFailsTakesTheForceAwayUntilTheNextGoodOne) {
   stage->x_m = -0.003;
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return force() > 0.5; }));
-  // Twenty in a row would be the end. Each good one begins the count anew.
+  // Twenty in a row would be the end. Each good one resets the count.
   for (const int absent : {19, 38}) {
     stage->bad_reads = 19;
     EXPECT_TRUE(comes_true([&] { return plane.absent == absent; }));

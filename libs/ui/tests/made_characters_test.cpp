@@ -16,7 +16,7 @@
 #include "characters/word_label.h"
 #include "characters/writing_panel.h"
 #include "characters/writing_report.h"
-#include "described_widget.h"
+#include "made_widgets.h"
 #include "nazori/widgets/words/kanji_text.h"
 
 namespace nazori::ui {
@@ -27,21 +27,7 @@ using test::expect_made;
 using test::layout_words;
 using test::made_words;
 
-class MadeCharacters : public testing::Test {
- protected:
-  MadeCharacters() {
-    install_language(QStringLiteral("en"));
-    test::use_plain_look();
-  }
-  static int em() { return QFontInfo(QApplication::font()).pixelSize(); }
-  static std::string letters(double size) {
-    const QFont font = textbook_font(QFontInfo(QApplication::font()).pointSizeF() * size);
-    const QString family = QFontInfo(font).family();
-    const bool is_usual = family == QFontInfo(QApplication::font()).family();
-    return (is_usual ? QString() : QStringLiteral("in %1; ").arg(family)).toStdString() +
-           QStringLiteral("letters %1").arg(size).toStdString();
-  }
-};
+using MadeCharacters = test::MadeWidgets;
 
 TEST_F(MadeCharacters, ThePanelOfAWritingScrollsBelowItsSlider) {
   const WritingPanel panel(nullptr);

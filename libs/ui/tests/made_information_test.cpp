@@ -8,7 +8,7 @@
 #include "characters/glyph_view.h"
 #include "characters/information_panel.h"
 #include "characters/table_picker.h"
-#include "described_widget.h"
+#include "made_widgets.h"
 #include "nazori/widgets/words/kanji_text.h"
 #include "print_qt.h"
 
@@ -20,21 +20,7 @@ using test::expect_made;
 using test::layout_words;
 using test::made_words;
 
-class MadeFinding : public testing::Test {
- protected:
-  MadeFinding() {
-    install_language(QStringLiteral("en"));
-    test::use_plain_look();
-  }
-  static int em() { return QFontInfo(QApplication::font()).pixelSize(); }
-  static std::string letters(double size) {
-    const QFont font = textbook_font(QFontInfo(QApplication::font()).pointSizeF() * size);
-    const QString family = QFontInfo(font).family();
-    const bool is_usual = family == QFontInfo(QApplication::font()).family();
-    return (is_usual ? QString() : QStringLiteral("in %1; ").arg(family)).toStdString() +
-           QStringLiteral("letters %1").arg(size).toStdString();
-  }
-};
+using MadeFinding = test::MadeWidgets;
 
 class MadeTables : public MadeFinding {
  protected:

@@ -21,7 +21,7 @@ struct Exposure {
   std::vector<Exposed> samples;
 };
 
-/// Grooves are shaded as if they were this much shallower: true shadows would hide their floors.
+/// Grooves are shaded with this part of their depth. With all of it their floors would be dark.
 inline constexpr float kShadeDepth = 0.55F;
 
 /// Marches to the horizon: once towards the light, and in eight directions for the sky.
