@@ -26,6 +26,7 @@
 #include "nazori/studio/print/solid_dialog.h"
 #include "nazori/widgets/page/window_parts.h"
 #include "print_qt.h"
+#include "two_sides.h"
 
 namespace nazori::ui {
 namespace {
@@ -109,22 +110,7 @@ TEST_F(SolidOfATablet, BeginsAsModelsAreUsuallyMadeWithRoomAroundItsOptions) {
 TEST_F(SolidOfATablet, ThePictureStandsBesideTheOptionsWhereThereIsRoom) {
   open();
   dialog_->show();
-  auto& sides = *static_cast<QBoxLayout*>(dialog_->layout()->itemAt(0)->layout());
-  const int em = QFontInfo(dialog_->font()).pixelSize();
-  EXPECT_EQ(sides.spacing(), 12);
-  dialog_->resize(30 * em, 700);
-  EXPECT_EQ(sides.direction(), QBoxLayout::LeftToRight);
-  EXPECT_EQ(sides.stretch(0), 2);
-  EXPECT_EQ(sides.stretch(1), 3);
-  const auto& area = *dialog_->findChild<QScrollArea*>();
-  EXPECT_EQ(area.minimumWidth(),
-            area.widget()->minimumSizeHint().width() + area.verticalScrollBar()->sizeHint().width());
-  if (dialog_->minimumSizeHint().width() < 30 * em) {
-    dialog_->resize(30 * em - 1, 700);
-    EXPECT_EQ(sides.direction(), QBoxLayout::BottomToTop);
-    EXPECT_EQ(sides.stretch(0), 3);
-    EXPECT_EQ(sides.stretch(1), 2);
-  }
+  test::expect_preview_beside_options(*dialog_);
 }
 
 TEST_F(SolidOfATablet, ShowsOnlyWhatChangesTheModelAndTellsItsFigures) {

@@ -25,6 +25,7 @@
 #include "nazori/widgets/page/window_parts.h"
 #include "nazori/widgets/settings/stored_settings.h"
 #include "print_qt.h"
+#include "two_sides.h"
 
 namespace nazori::ui {
 namespace {
@@ -96,19 +97,7 @@ TEST_F(WorksheetOfACharacter, HasItsPreviewBesideTheOptionsWhereThereIsRoom) {
   const int em = QFontInfo(dialog_->font()).pixelSize();
   EXPECT_EQ(dialog_->size(), QSize(em * 62, em * 46).boundedTo(QSize(1140, 855)));
   dialog_->show();
-  auto& sides = *static_cast<QBoxLayout*>(dialog_->layout()->itemAt(0)->layout());
-  EXPECT_EQ(sides.spacing(), 12);
-  EXPECT_EQ(sides.direction(), QBoxLayout::LeftToRight);
-  EXPECT_EQ(sides.stretch(0), 2);
-  EXPECT_EQ(sides.stretch(1), 3);
-  EXPECT_EQ(area.minimumWidth(),
-            area.widget()->minimumSizeHint().width() + area.verticalScrollBar()->sizeHint().width());
-  if (dialog_->minimumSizeHint().width() < 30 * em) {
-    dialog_->resize(30 * em - 1, 700);
-    EXPECT_EQ(sides.direction(), QBoxLayout::BottomToTop);
-    EXPECT_EQ(sides.stretch(0), 3);
-    EXPECT_EQ(sides.stretch(1), 2);
-  }
+  test::expect_preview_beside_options(*dialog_);
 }
 
 TEST_F(WorksheetOfACharacter, PagesAreTurnedFromTheFirstToTheLast) {
