@@ -294,8 +294,7 @@ scan::Photo inked(auto is_ink) {
     for (int x = 0; x < 600; ++x) {
       int dark = 0;
       for (const double v : {-0.25, 0.25})
-        for (const double u : {-0.25, 0.25})
-          dark += is_ink(x - 300 + u, y - 300 + v) ? 1 : 0;
+        for (const double u : {-0.25, 0.25}) dark += is_ink(x - 300 + u, y - 300 + v) ? 1 : 0;
       photo.grey.push_back(static_cast<std::uint8_t>(240 - 220 * dark / 4));
     }
   return photo;
