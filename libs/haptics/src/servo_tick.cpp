@@ -100,7 +100,6 @@ void Servo::Inside::fault(const DeviceSample& from) noexcept {
   if (usable(from)) {
     sample.device_m = from.position_m;
     last_time_s = from.time_s;
-    started = true;
   } else {
     started = false;
   }
