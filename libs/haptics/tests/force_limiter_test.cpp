@@ -94,6 +94,12 @@ TEST(ForceLimiter, HeatIsTheMeanSquareOfTheForceOverTwentySeconds) {
   EXPECT_EQ(ForceLimiter{limits}.heat(), 0) << "a device that says nothing about it";
 }
 
+TEST(ForceLimiter, AfterAPauseLongerThanTheHeatLastsItIsThatOfTheForceAlone) {
+  ForceLimiter limiter{DeviceLimits{}};
+  (void)limiter.limit({0, 0, 0.44}, 1000);
+  EXPECT_NEAR(limiter.heat(), 0.25, 1e-12) << "half of 0.88 N";
+}
+
 TEST(ForceLimiter, FromEightyPerCentOfTheHeatThePeakFallsInAStraightLine) {
   DeviceLimits limits;
   limits.continuous_force_n = 2;

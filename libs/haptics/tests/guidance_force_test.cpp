@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "guidance_tip.h"
 
@@ -21,6 +22,41 @@ TEST(GuidanceForce, NearTheEndTheTeacherGoesThreeMillimetresBeyondIt) {
   for (int i = 0; i < 1000; ++i) tip.at({x, 0, -kDepth_m});
   ASSERT_TRUE(tip.guidance.writing()) << "the pull is not so strong that standing still is resisting";
   EXPECT_NEAR(tip.guidance.force_n().x, tip.settings.stiffness_n_m * (0.0025 + 0.003), 1e-6);
+}
+
+TEST(GuidanceForce, ADotLeadsNowhere) {
+  Tip tip(GuidingMode::lead, GuidancePlan(std::vector<StrokePath>{{{{0.01, 0.01, -kDepth_m}}}}, 0.05));
+  tip.at({0.01, 0.01, 0.005}, Vec3(0), false);
+  tip.at({0.01, 0.01, -kDepth_m});
+  EXPECT_EQ(tip.guidance.force_n(), Vec3(0));
+}
+
+TEST(GuidanceForce, WhereNothingPullsNobodyIsLetGoAndNobodyGoesOn) {
+  Tip tip(GuidingMode::lead);
+  tip.write(0, 0.02);
+  for (int i = 0; i < 1000 && !tip.saw(ServoEvent::resisted); ++i) tip.at({0.02, 0, -kDepth_m});
+  ASSERT_TRUE(tip.saw(ServoEvent::resisted));
+  tip.settings.strength = 0;
+  for (const double x : {0.02, 0.023, 0.026}) {
+    tip.at({x, 0, -kDepth_m});
+    EXPECT_FALSE(tip.saw(ServoEvent::resumed)) << x;
+  }
+  tip.settings.strength = 1;
+  for (const double x : {0.026, 0.0279, 0.0281}) {
+    tip.at({x, 0, -kDepth_m});
+    EXPECT_EQ(tip.saw(ServoEvent::resumed), x > 0.028) << "two millimetres from where it pulls again";
+  }
+}
+
+TEST(GuidanceForce, AStrengthThatComesBackGrowsAsAtTheBeginning) {
+  Tip tip(GuidingMode::lesson);
+  tip.settings.strength = 0;
+  for (int i = 0; i < 600; ++i) tip.at({-0.009, 0, 0.005}, Vec3(0), false);
+  tip.settings.strength = 1;
+  for (int tick = 1; tick <= 20; ++tick) {
+    tip.at({-0.009, 0, 0.005}, Vec3(0), false);
+    ASSERT_NEAR(tip.guidance.force_n().x, 0.9 * tick / 500, 1e-9) << "100 N/m and 9 mm, in half a second";
+  }
 }
 
 TEST(GuidanceForce, WhoIsLedAndPullsBackForThirtyMillisecondsIsLetGo) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -314,7 +315,10 @@ TEST(ServoScene, FrictionIsThatOfTheNearestSampleAndBeyondTheEdgeTheMaterials) {
   Scene scene;
   auto zones = std::make_shared<FrictionZones>();
   zones->size = 64;
-  zones->zone.assign(64 * 64, 0);
+  // Behind the last row the memory has another friction than the material.
+  zones->zone.assign(64 * 65, 3);
+  zones->zone.resize(64 * 64);
+  std::fill(zones->zone.begin(), zones->zone.end(), 0);
   zones->added = {0.1, 0.2, 0.3};
   zones->zone[0] = 1;
   zones->zone[63 * 64 + 63] = 2;
@@ -332,6 +336,7 @@ TEST(ServoScene, FrictionIsThatOfTheNearestSampleAndBeyondTheEdgeTheMaterials) {
       EXPECT_EQ(at(x + kOut * way.x, y + kOut * way.y), 0);
     }
   }
+  EXPECT_EQ(at(0, -0.05 - kOut), 0);
   for (const double far : {-1e9, 1e9, kNan}) {
     EXPECT_EQ(at(far, 0), 0);
     EXPECT_EQ(at(0, far), 0);

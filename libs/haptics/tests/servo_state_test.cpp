@@ -106,6 +106,18 @@ TEST(ServoState, AfterAFaultTheWayFromBeforeItIsNoSpeed) {
   EXPECT_NEAR(hand.at(kPressed).z, kPress_n * kRamp, 1e-12);
 }
 
+TEST(ServoState, AHandIsAtRestUntilItHasMoved) {
+  Hand hand;
+  auto scene = damped();
+  scene->material.static_friction = scene->material.dynamic_friction =
+      0.5;  // so that it damps in each direction
+  hand.servo.set_scene(scene);
+  const Vec3 force = hand.at(kPressed);
+  EXPECT_EQ(force.x, 0);
+  EXPECT_EQ(force.y, 0);
+  EXPECT_NEAR(force.z, kPress_n * kRamp, 1e-12);
+}
+
 TEST(ServoState, ARunThatBeginsAgainIsNeitherLateNorMoving) {
   Hand hand;
   hand.servo.set_scene(damped());

@@ -174,6 +174,25 @@ TEST(SurfaceContact, AStepIsAWallThatPushesSideways) {
   }
 }
 
+TEST(SurfaceContact, BeyondARidgeItGoesAtMostSixStepsOfHalfASampleInATick) {
+  // A roof with slopes of 45 degrees. The device passes below its ridge.
+  const Relief roof(128, 0.02, [](double x, double) { return -std::abs(x); });
+  const double step = roof.tablet.cell_m() / 2;
+  EXPECT_DOUBLE_EQ(step, 0.1 / 127 / 2) << "128 samples over 0.1 m";
+  for (const double depth : {0.004, 0.01}) {
+    SurfaceContact contact;
+    lead(contact, roof, {-0.004, 0, 0}, {-0.0005, 0, -depth}, 200);
+    ASSERT_LT(contact.proxy_m().x, 0);
+    const Vec3 device{0.002, 0, -depth};
+    contact.update(roof.tablet, device, {});
+    // The nearest point of the other slope, or the farthest that it reaches from straight above.
+    const double nearest = (device.x - device.z) / 2;
+    EXPECT_NEAR(contact.proxy_m().x, std::min(nearest, device.x + 6 * step), 1e-6) << depth;
+    for (int i = 0; i < 3; ++i) contact.update(roof.tablet, device, {});
+    EXPECT_NEAR(contact.proxy_m().x, nearest, 1e-6) << depth;
+  }
+}
+
 TEST(SurfaceContact, OutsideTheTabletThePlateauGoesOn) {
   const Relief flat(64, 0.01, plate);
   SurfaceContact contact;
