@@ -72,7 +72,7 @@ class OpenHapticsDevice final : public haptics::HapticDevice {
   std::atomic<bool> stopping_{false}, ended_{false}, ticked_{false};
   // Servo thread.
   int ticks_ = 0, zero_ticks_ = 0, bad_ticks_ = 0;
-  bool leaving_ = false, in_frame_ = false;
+  bool leaving_ = false, in_frame_ = false, is_bad_tick_ = false;
   std::uint32_t buttons_before_ = 0;
   unsigned int error_ = 0;  // why the force rests
   Clock::time_point rest_until_, last_error_;
@@ -244,12 +244,10 @@ DeviceTrouble OpenHapticsDevice::calibrate(const Reading& now) noexcept {
 
 bool OpenHapticsDevice::book(const hd::ErrorInfo& error) noexcept {
   const ErrorKind kind = kind_of(error.code);
-  if (kind == ErrorKind::none) {
-    bad_ticks_ = 0;
-    return true;
-  }
+  if (kind == ErrorKind::none) return true;
   if (kind == ErrorKind::other) {
-    if (++bad_ticks_ < kMostBadTicks) return true;
+    is_bad_tick_ = true;
+    if (bad_ticks_ + 1 < kMostBadTicks) return true;
     error_ = error.code;
     return false;
   }
@@ -271,6 +269,7 @@ unsigned int OpenHapticsDevice::tick() noexcept {
     return leave();
 
   const Clock::time_point begin = Clock::now();
+  is_bad_tick_ = false;
   hd.make_current(port_->handle);
   hd.begin_frame(port_->handle);
   in_frame_ = true;
@@ -306,6 +305,7 @@ unsigned int OpenHapticsDevice::tick() noexcept {
     goes_on = false;
     link_.pause(DeviceState::lost, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
   }
+  bad_ticks_ = is_bad_tick_ ? bad_ticks_ + 1 : 0;
   // The failed frame may have left an earlier force on the device: the next ones write zeros.
   leaving_ = !goes_on;
   if (force_n[0] == 0 && force_n[1] == 0 && force_n[2] == 0) link_.confirm_zero();

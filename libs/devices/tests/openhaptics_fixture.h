@@ -23,10 +23,14 @@ class OpenHaptics : public testing::Test {
   static inline const std::string kLibrary = std::string(test_paths::kStandins) + "/libHD.so";
 
   OpenHaptics() {
-    void* library = dlopen(kLibrary.c_str(), RTLD_NOW | RTLD_GLOBAL);
-    EXPECT_NE(library, nullptr) << dlerror();
-    stage = reinterpret_cast<standin::HdStageFunction>(dlsym(library, "nazori_standin_hd"))();
-    reinterpret_cast<void (*)()>(dlsym(library, "nazori_standin_hd_reset"))();
+    EXPECT_NE(loaded, nullptr) << dlerror();
+    stage = function<standin::HdStageFunction>("nazori_standin_hd")();
+    function<void (*)()>("nazori_standin_hd_reset")();
+  }
+  /// A function of the library, as another part of the program calls it.
+  template <class Function>
+  [[nodiscard]] Function function(const char* name) const {
+    return reinterpret_cast<Function>(dlsym(loaded, name));
   }
   static OpenHapticsSettings settings() {
     OpenHapticsSettings s;
@@ -51,6 +55,7 @@ class OpenHaptics : public testing::Test {
   }
   [[nodiscard]] bool pushes(const Vec3& expected) const { return glm::length(force() - expected) < 1e-6; }
 
+  void* loaded = dlopen(kLibrary.c_str(), RTLD_NOW | RTLD_GLOBAL);
   standin::HdStage* stage = nullptr;
   std::unique_ptr<BackEnd> back_end = openhaptics_back_end(settings());
 };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is felt and reported through OpenHaptics while nothing goes wrong.
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <numbers>
+#include <utility>
 
 #include "openhaptics_fixture.h"
 #include "openhaptics_port.h"
@@ -67,6 +70,57 @@ TEST_F(OpenHaptics, GettersThatAnswerZeroGiveWayToTheFiguresOfAnOmni) {
   EXPECT_DOUBLE_EQ(device.device->describe().limits.max_force_n, 3.3);
   EXPECT_DOUBLE_EQ(device.device->describe().limits.max_stiffness_n_m, 500);
   EXPECT_DOUBLE_EQ(device.workspace.high_m.x, 0.080);
+}
+
+TEST_F(OpenHaptics, WhatTheLibraryRefusesToTellIsNotBelieved) {
+  stage->refuses = true;
+  stage->out_of_inkwell = false;
+  OpenRequest request;
+  request.calibration.emplace();
+  FeltPlane plane;
+  OpenedDevice device = opened(request);
+  const haptics::DeviceDescription d = device.device->describe();
+  EXPECT_EQ(d.name, "OpenHaptics device");
+  EXPECT_DOUBLE_EQ(d.limits.max_force_n, 3.3);
+  EXPECT_DOUBLE_EQ(d.limits.continuous_force_n, 0.88);
+  EXPECT_DOUBLE_EQ(d.limits.max_stiffness_n_m, 500);
+  EXPECT_DOUBLE_EQ(d.limits.max_damping_n_s_m, 2.5);
+  const DeviceWorkspace usual;
+  EXPECT_EQ(device.workspace.low_m, usual.low_m);
+  EXPECT_EQ(device.workspace.high_m, usual.high_m);
+  // Its switches are not asked for again, so that no tick has an error.
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 100; }));
+  EXPECT_EQ(device.device->status().trouble, DeviceTrouble::none);
+}
+
+TEST_F(OpenHaptics, TheCalibrationIsCheckedInEverySixtyFourthTick) {
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.ticks > 150; }));
+  device.device->stop();
+  EXPECT_EQ(stage->checks, (plane.ticks + 63) / 64);
+}
+
+TEST_F(OpenHaptics, ItEndsWithFourTicksOfZeroAndOneZeroBehindThem) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return pushes({0, 0, 1}); }));
+  device.device->stop();
+  EXPECT_EQ(stage->zero_ticks, 5U);
+}
+
+TEST_F(OpenHaptics, LookingLeavesNoFileOpen) {
+  const auto files = [] {
+    const std::filesystem::directory_iterator all("/proc/self/fd");
+    return std::distance(begin(all), end(all));
+  };
+  (void)back_end->find();
+  const auto before = files();
+  (void)back_end->find();
+  EXPECT_EQ(files(), before);
 }
 
 TEST_F(OpenHaptics, AKnownPlaneIsFeltInNewtonsAlongTheTabletsNormal) {
@@ -149,6 +203,45 @@ TEST_F(OpenHaptics, RunsAtTheRateAskedForAndAtTheUsualOneWhereTheDeviceRefusesIt
   EXPECT_EQ(rate_at(1600), 1000);
   EXPECT_EQ(rate_at(500), 500);
   EXPECT_EQ(rate_at(2000), 2000);
+}
+
+TEST_F(OpenHaptics, WorksThoughAnotherDeviceOfTheProgramIsTheCurrentOne) {
+  // In the stand-in the other one is current whenever a tick begins.
+  const auto make_other_current = [this] { function<void (*)(unsigned int)>("hdMakeCurrentDevice")(1); };
+  test::Push push({0, 0, 1});
+  make_other_current();
+  OpenedDevice device = opened();
+  EXPECT_EQ(device.device->describe().name, "Stand-in Touch (serial 0042)");
+  make_other_current();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return pushes({0, 0, 1}); }));
+  EXPECT_EQ(device.device->status().state, DeviceState::running);
+  stage->frozen = true;
+  std::uint64_t ticks = 0;
+  EXPECT_TRUE(comes_true([&] { return std::exchange(ticks, stage->ticks) == stage->ticks; }));
+  make_other_current();
+  device.device->stop();
+  EXPECT_TRUE(pushes(Vec3(0)));
+  EXPECT_FALSE(stage->output);
+}
+
+TEST_F(OpenHaptics, ErrorsOfOthersAreNotTakenForItsOwnAndItLeavesNone) {
+  const auto other_error = [this] { function<void (*)(unsigned int)>("hdEnable")(1); };
+  const auto error_left = [this] {
+    return function<decltype(hd::Functions::get_error)>("hdGetError")().code;
+  };
+  FeltPlane plane;
+  other_error();
+  OpenedDevice device = opened();
+  EXPECT_EQ(error_left(), 0U);
+  other_error();
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
+  device.device->stop();
+  EXPECT_EQ(error_left(), 0U);
+  other_error();
+  device = {};
+  EXPECT_EQ(error_left(), 0U);
 }
 
 }  // namespace

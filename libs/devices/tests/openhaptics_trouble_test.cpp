@@ -196,6 +196,24 @@ TEST_F(OpenHaptics, EverySchedulerErrorEndsIt) {
   }
 }
 
+TEST_F(OpenHaptics, FiftyTicksInARowWithAnErrorOfAnUnknownKindAreTheEnd) {
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(plane));
+  for (const int bad : {49, 49, 50}) {
+    const int before = plane.present;
+    stage->bad_ticks = bad;
+    EXPECT_TRUE(comes_true([&] { return stage->bad_ticks == 0; }));
+    const std::uint64_t from = stage->ticks;
+    EXPECT_TRUE(comes_true([&] { return stage->ticks > from + 3; }));
+    EXPECT_EQ(device.device->status().state == DeviceState::lost, bad == 50);
+    EXPECT_GT(plane.present, before + 40) << "until then they change nothing";
+  }
+  EXPECT_EQ(device.device->status().trouble, DeviceTrouble::device_fault);
+  EXPECT_NE(device.device->status().message.find("0x101"), std::string::npos)
+      << device.device->status().message;
+}
+
 TEST_F(OpenHaptics, WhateverEndsItTheLastForceWrittenIsZeroAndForcesAreOff) {
   // The library does not remove a force by itself: the last written force stays.
   for (const unsigned int code : {0x0104U, 0x0300U, 0x0302U, 0x0303U, 0x0304U}) {

@@ -27,6 +27,7 @@ namespace {
 
 constexpr unsigned int kNone = 0xFFFFFFFF;
 constexpr unsigned int kHandle = 0;  // 0 is a valid handle
+constexpr unsigned int kOther = 1;   // another device of the program, which is current until ours is made so
 
 HdStage stage;
 
@@ -51,6 +52,7 @@ bool initialised, in_frame, framed_this_tick, error_this_tick, one_frame_limit;
 bool fails_to_write;  // from the first failed hdEndFrame on
 std::set<unsigned int> latched;
 double wanted[3];
+unsigned int current = kOther;
 
 /// The real library latches errors of the connection and the timer: it reports each one once per cause.
 bool is_latched(unsigned int code) { return code >= 0x0302 && code <= 0x0304; }
@@ -59,6 +61,13 @@ void push(unsigned int code, int internal_code = 0) {
   const std::lock_guard lock(everything);
   if (is_latched(code) && !latched.insert(code).second) return;
   errors.push_back({code, internal_code, initialised ? kHandle : kNone});
+}
+
+/// Most calls are about the current device.
+bool is_current() {
+  if (current == kHandle) return true;
+  push(0x0104);
+  return false;
 }
 
 /// hdEndFrame finds these when it writes to the device.
@@ -91,10 +100,15 @@ void motors(double x, double y, double z) {
 void run_tick() {
   const std::lock_guard lock(everything);
   framed_this_tick = false;
+  current = kOther;
   wanted[0] = wanted[1] = wanted[2] = 0;
   const std::size_t errors_before = errors.size();
   if (!comes_with_the_write(stage.next_error)) {
     if (const unsigned int code = stage.next_error.exchange(0); code != 0) push(code);
+  }
+  if (stage.bad_ticks > 0) {
+    --stage.bad_ticks;
+    push(0x0101);
   }
   if (const unsigned int code = stage.every_error; code != 0 && !comes_with_the_write(code)) push(code);
   error_this_tick = errors.size() > errors_before;
@@ -127,6 +141,8 @@ EXPORTED void nazori_standin_hd_reset() {
   stage.z_mm = 30;
   stage.buttons = 0;
   stage.plugged = stage.out_of_inkwell = true;
+  stage.refuses = false;
+  stage.bad_ticks = stage.checks = 0;
   stage.safety_held = stage.frozen = stage.dumb = stage.large = stage.garbage_handle = stage.silent = false;
   stage.init_error = stage.next_error = stage.every_error = stage.start_error = 0;
   stage.only_name = nullptr;
@@ -154,6 +170,7 @@ EXPORTED unsigned int hdInitDevice(const char* name) {
   if (code == 0 && !stage.plugged) code = 0x0302;
   if (code == 0 && only != nullptr && std::strcmp(only, name == nullptr ? "" : name) != 0) code = 0x0303;
   if (code == 0 && initialised) code = 0x0301;
+  current = kOther;
   if (code != 0) {
     if (stage.garbage_handle && code != 0x0301) return 40321;  // and no error
     if (!stage.silent) push(code, -1);
@@ -171,8 +188,11 @@ EXPORTED void hdDisableDevice(unsigned int) {
   if (stage.running) crash("hdDisableDevice while the scheduler runs");
   initialised = false;
 }
-EXPORTED void hdMakeCurrentDevice(unsigned int) {}
-EXPORTED unsigned int hdGetCurrentDevice() { return initialised ? kHandle : kNone; }
+EXPORTED void hdMakeCurrentDevice(unsigned int handle) {
+  const std::lock_guard lock(everything);
+  current = handle;
+}
+EXPORTED unsigned int hdGetCurrentDevice() { return initialised ? current : kNone; }
 EXPORTED void hdBeginFrame(unsigned int handle) {
   if (!initialised) crash("hdBeginFrame before hdInitDevice");
   if (handle != kHandle) return push(0x0104);
@@ -221,6 +241,7 @@ EXPORTED const char* hdGetErrorString(unsigned int code) {
   }
 }
 EXPORTED void hdEnable(unsigned int what) {
+  if (what == 0x4000 && !is_current()) return;
   if (what == 0x4000)
     remember_output(true);
   else if (what == 0x4004)
@@ -229,6 +250,7 @@ EXPORTED void hdEnable(unsigned int what) {
     push(0x0100);
 }
 EXPORTED void hdDisable(unsigned int what) {
+  if (what == 0x4000 && !is_current()) return;
   if (what == 0x4000) remember_output(false);
   if (what == 0x4004) one_frame_limit = false;
 }
@@ -236,6 +258,11 @@ EXPORTED unsigned char hdIsEnabled(unsigned int what) {
   return what == 0x4000 ? stage.output.load() : static_cast<unsigned char>(what == 0x4004 && one_frame_limit);
 }
 EXPORTED void hdGetBooleanv(unsigned int what, unsigned char* out) {
+  if (!is_current()) return;
+  if (stage.refuses && (what == 0x2001 || what == 0x2002)) {
+    *out = 1;
+    return push(0x0100);
+  }
   if (what == 0x2001)
     *out = stage.safety_held;
   else if (what == 0x2002)
@@ -244,6 +271,11 @@ EXPORTED void hdGetBooleanv(unsigned int what, unsigned char* out) {
     push(0x0100);
 }
 EXPORTED void hdGetIntegerv(unsigned int what, int* out) {
+  if (!is_current()) return;
+  if (stage.refuses && what == 0x2555) {
+    *out = 7;
+    return push(0x0100);
+  }
   if (what == 0x2000)
     *out = stage.buttons;
   else if (what == 0x2555)
@@ -256,6 +288,11 @@ EXPORTED void hdGetIntegerv(unsigned int what, int* out) {
 EXPORTED void hdGetDoublev(unsigned int what, double* out) {
   constexpr double kBox[6] = {-80, -60, -35, 80, 60, 35};
   constexpr double kLargeBox[6] = {-90, -70, -40, 70, 50, 80};
+  if (!is_current()) return;
+  if (stage.refuses && what >= 0x2550 && what < 0x2700) {
+    for (int i = 0; i < (what <= 0x2551 ? 6 : 1); ++i) out[i] = 7 * (i + 1);
+    return push(0x0100);
+  }
   switch (what) {
     case 0x2050:
       out[0] = stage.x_mm;
@@ -291,6 +328,11 @@ EXPORTED void hdGetDoublev(unsigned int what, double* out) {
 EXPORTED void hdGetFloatv(unsigned int, float*) { push(0x0100); }
 EXPORTED void hdGetLongv(unsigned int, long*) { push(0x0100); }
 EXPORTED const char* hdGetString(unsigned int what) {
+  if (!is_current()) return "";
+  if (stage.refuses) {
+    push(0x0100);
+    return "garbage";
+  }
   switch (what) {
     case 0x2501:
       return "Stand-in Touch";
@@ -304,6 +346,7 @@ EXPORTED const char* hdGetString(unsigned int what) {
   }
 }
 EXPORTED void hdSetDoublev(unsigned int what, const double* in) {
+  if (!is_current()) return;
   if (what != 0x2700) return push(0x0100);
   if (!in_frame) return push(0x0402);
   for (int i = 0; i < 3; ++i) wanted[i] = in[i];
@@ -312,7 +355,10 @@ EXPORTED void hdSetBooleanv(unsigned int, const unsigned char*) { push(0x0100); 
 EXPORTED void hdSetIntegerv(unsigned int, const int*) { push(0x0100); }
 EXPORTED void hdSetFloatv(unsigned int, const float*) { push(0x0100); }
 EXPORTED void hdSetLongv(unsigned int, const long*) { push(0x0100); }
-EXPORTED unsigned int hdCheckCalibration() { return stage.calibration; }
+EXPORTED unsigned int hdCheckCalibration() {
+  ++stage.checks;
+  return stage.calibration;
+}
 EXPORTED unsigned int hdCheckCalibrationStyle() { return static_cast<unsigned int>(stage.calibration_style); }
 EXPORTED void hdUpdateCalibration(unsigned int style) {
   // Exactly one of the styles that the device has, never the whole mask.

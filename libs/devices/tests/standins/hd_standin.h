@@ -27,9 +27,11 @@ struct HdStage {
   /// Appears once, in the next tick: 0x0300, 0x0302 and 0x0303 out of hdEndFrame, others at its beginning.
   std::atomic<unsigned int> next_error;
   std::atomic<unsigned int> every_error;  ///< appears in every tick, likewise
+  std::atomic<int> bad_ticks;             ///< so many ticks begin with an error of an unknown kind
   std::atomic<unsigned int> start_error;  ///< hdStartScheduler leaves it, and the scheduler does not tick
   std::atomic<bool> frozen;               ///< the scheduler does not tick
   std::atomic<bool> dumb;                 ///< getters of limits return 0
+  std::atomic<bool> refuses;              ///< getters of what the device has give garbage and an error
   std::atomic<bool> large;                ///< ... those of a Desktop, and its workspace is not centred at 0
   std::atomic<bool> silent;               ///< failed inits leave no error
   std::atomic<bool> garbage_handle;       ///< failed inits return a number instead of "no device"
@@ -45,6 +47,7 @@ struct HdStage {
   std::atomic<double> force_despite_error_n;     ///< largest force written after an error could be read
   std::atomic<std::uint64_t> ticks, zero_ticks;  ///< zero_ticks: in a row, without force
   std::atomic<int> inits, disables, calibrations;
+  std::atomic<int> checks;                  ///< of the calibration
   std::atomic<unsigned int> calibrated_by;  ///< the style of the last one
   std::atomic<bool> output;                 ///< FORCE_OUTPUT
   std::atomic<bool> running;
