@@ -16,6 +16,7 @@
 #include "nazori/devices/simulated_device.h"
 #include "nazori/devices/simulated_hand.h"
 #include "nazori/devices/workspace_mapping.h"
+#include "pantograph_model.h"
 
 namespace nazori::devices {
 namespace {
@@ -96,6 +97,56 @@ TEST(DevicesDefaults, ASimulatedHandIsCalmAndItsDeviceLight) {
   EXPECT_EQ(habits.wander_m, 0.0008);
   EXPECT_EQ(habits.press_m, 0.006);
   EXPECT_EQ(habits.hover_m, 0.006);
+}
+
+TEST(DevicesDefaults, A2diyIsTakenForWhatTheDocumentationSays) {
+  // docs/devices.md: a square of 80 mm, 100 mm in front of the motors; 1.5 N, 0.75 N for long, 400 N/m.
+  EXPECT_EQ(pantograph::kReach_m, 0.040);
+  EXPECT_EQ(pantograph::kMiddle_m, 0.100);
+  const DeviceWorkspace reach = pantograph::plane_workspace();
+  EXPECT_EQ(reach.low_m, haptics::Vec3(-0.040));
+  EXPECT_EQ(reach.high_m, haptics::Vec3(0.040));
+  const haptics::DeviceLimits limits = pantograph::plane_limits();
+  EXPECT_EQ(limits.max_force_n, 1.5);
+  EXPECT_EQ(limits.continuous_force_n, 0.75);
+  EXPECT_EQ(limits.max_stiffness_n_m, 400);
+  EXPECT_EQ(limits.max_damping_n_s_m, 1);
+  EXPECT_EQ(limits.delay_s, 0) << "it is measured";
+}
+
+TEST(DevicesDefaults, TheBoardOfA2diyIsSetUpAsItsMakerDoes) {
+  // README of HaplyHAPI 1.0.1 on PyPI, and its class Pantograph.
+  using pantograph::Turn;
+  struct Documented {
+    const char* version;
+    Turn left_turn;  ///< of the left motor and its encoder
+    float right_rest_deg, left_rest_deg, steps;
+    double motors_m;
+  };
+  constexpr std::array kTable{Documented{"3", Turn::anticlockwise, 168, 12, 4880, 0.038},
+                              Documented{"2", Turn::clockwise, 241, -61, 10752, 0}};
+  ASSERT_EQ(pantograph::kModels.size(), kTable.size());
+  for (std::size_t i = 0; i < kTable.size(); ++i) {
+    const pantograph::Model& model = pantograph::kModels.at(i);
+    const Documented& d = kTable.at(i);
+    const pantograph::Joint& right = model.setup.joints[0];
+    const pantograph::Joint& left = model.setup.joints[1];
+    EXPECT_EQ(model.version, d.version);
+    EXPECT_EQ(right.port, 2) << d.version;
+    EXPECT_EQ(left.port, 1) << d.version;
+    EXPECT_EQ(right.motor, Turn::anticlockwise) << d.version;
+    EXPECT_EQ(right.encoder, Turn::anticlockwise) << d.version;
+    EXPECT_EQ(left.motor, d.left_turn) << d.version;
+    EXPECT_EQ(left.encoder, d.left_turn) << d.version;
+    EXPECT_EQ(right.rest_deg, d.right_rest_deg) << d.version;
+    EXPECT_EQ(left.rest_deg, d.left_rest_deg) << d.version;
+    EXPECT_EQ(right.steps_per_turn, d.steps) << d.version;
+    EXPECT_EQ(left.steps_per_turn, d.steps) << d.version;
+    EXPECT_FALSE(model.setup.has_button) << d.version;
+    EXPECT_EQ(model.linkage.inner_m, 0.07) << d.version;
+    EXPECT_EQ(model.linkage.outer_m, 0.09) << d.version;
+    EXPECT_EQ(model.linkage.motors_m, d.motors_m) << d.version;
+  }
 }
 
 }  // namespace

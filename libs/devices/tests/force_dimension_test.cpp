@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nazori/devices/force_dimension.h"
-
-#include <dlfcn.h>
-#include <gtest/gtest.h>
-
+// What is found, felt and reported through the library of Force Dimension.
 #include <unistd.h>
 
 #include <cmath>
@@ -13,9 +9,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 
-#include "felt_plane.h"
-#include "standins/dhd_standin.h"
-#include "test_paths.h"
+#include "force_dimension_fixture.h"
 
 namespace nazori::devices {
 namespace {
@@ -24,39 +18,8 @@ using haptics::DeviceState;
 using haptics::DeviceTrouble;
 using test::comes_true;
 using test::FeltPlane;
+using test::ForceDimension;
 using test::Vec3;
-
-const std::string kLibrary = std::string(test_paths::kStandins) + "/libdhd.so";
-
-class ForceDimension : public testing::Test {
- protected:
-  ForceDimension() : stage(stage_of(kLibrary)) {}
-  static standin::DhdStage* stage_of(const std::string& path) {
-    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
-    EXPECT_NE(library, nullptr) << dlerror();
-    reinterpret_cast<void (*)()>(dlsym(library, "nazori_standin_dhd_reset"))();
-    return reinterpret_cast<standin::DhdStageFunction>(dlsym(library, "nazori_standin_dhd"))();
-  }
-  OpenedDevice opened() {
-    OpenRequest request;
-    request.calibration.emplace();
-    auto device = back_end->open("forcedimension", request);
-    EXPECT_TRUE(device) << base::to_line(device.error().error);
-    return std::move(*device);
-  }
-  [[nodiscard]] double force() const {
-    return std::hypot(stage->force_x_n, stage->force_y_n, stage->force_z_n);
-  }
-
-  standin::DhdStage* stage;
-  static ForceDimensionSettings settings() {
-    ForceDimensionSettings s;
-    s.library = kLibrary;
-    s.system_folder = "/nowhere";
-    return s;
-  }
-  std::unique_ptr<BackEnd> back_end = force_dimension_back_end(settings());
-};
 
 TEST_F(ForceDimension, EveryDeviceIsListedAndClosedAgain) {
   stage->devices = 2;
@@ -394,21 +357,6 @@ TEST_F(ForceDimension, EveryFailureToOpenSaysInOneLineWhatToDo) {
   const auto other = force_dimension_back_end(another)->find();
   EXPECT_EQ(other.problem->trouble, DeviceTrouble::symbol_missing);
   EXPECT_NE(base::to_line(other.problem->error).find("dhdGetDeviceCount"), std::string::npos);
-}
-
-TEST_F(ForceDimension, AnOlderLibraryWithoutTheButtonMaskStillWorks) {
-  standin::DhdStage* const old = stage_of(std::string(test_paths::kStandins) + "/incomplete/libdhd.so");
-  FeltPlane plane;
-  ForceDimensionSettings older;
-  older.library = std::string(test_paths::kStandins) + "/incomplete/libdhd.so";
-  auto device = force_dimension_back_end(older)->open("forcedimension", {});
-  ASSERT_TRUE(device);
-  old->buttons = 0;
-  ASSERT_TRUE(device->device->start(plane));
-  EXPECT_TRUE(comes_true([&] { return plane.ticks > 3; }));
-  EXPECT_EQ(plane.buttons, 0U);
-  old->buttons = 1;
-  EXPECT_TRUE(comes_true([&] { return plane.buttons == 1U; }));
 }
 
 TEST_F(ForceDimension, ADeviceThatIsOpenIsListedAsInUse) {

@@ -225,6 +225,23 @@ TEST(HandPlan, StraysByTheHabitInThreeSlowWavesAfterTheStart) {
         << i;
 }
 
+TEST(HandPlan, TheWavesOfAStrokeBeginWhereItsNumberSays) {
+  // The figures of the documentation come from this hand: it must stay the same. Angles at the time 0.
+  struct Begin {
+    int stroke;
+    std::array<double, 3> rad;
+  };
+  for (const auto& [stroke, rad] : {Begin{1, {1.7, 4.91, 7.27}}, Begin{2, {3.4, 8.82, 12.54}}}) {
+    const SlowHand hand(stroke);
+    for (double t = 30; t < 31; t += 0.013) {
+      const double turns = 2 * std::numbers::pi * (hand.begin_s + t);
+      const double waves = std::sin(0.9 * turns + rad[0]) + std::sin(1.7 * turns + rad[1]) +
+                           0.8 * std::sin(2.9 * turns + rad[2]);
+      ASSERT_NEAR(hand.left_m(t), 0.0008 * waves / std::sqrt(1.32), 1e-9) << stroke << " " << t;
+    }
+  }
+}
+
 TEST(HandPlan, StraysLessInTheFirstFiveMillimetresAndToTheLeftOfTheLine) {
   // The same moment of the same stroke, once along x and once along y: the deviation turns with the line.
   HandHabits habits = steady();

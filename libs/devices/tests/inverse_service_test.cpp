@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 #include "felt_plane.h"
 #include "standins/inverse_standin.h"
@@ -113,6 +114,17 @@ TEST_F(Inverse3, TheForceIsHeldToTheCap) {
     device.device->stop();
     // The service hears of the end a moment later, and the next device meets the same service.
     EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+  }
+}
+
+TEST_F(Inverse3, TheCapIsHeldBetweenATenthOfANewtonAndTen) {
+  InverseServiceSettings s = settings();
+  for (const auto& [asked_n, most_n, lasting_n] :
+       {std::tuple{0.05, 0.1, 0.1}, {0.2, 0.2, 0.2}, {9.0, 9.0, 2.0}, {20.0, 10.0, 2.0}}) {
+    s.force_cap_n = asked_n;
+    const haptics::DeviceLimits limits = opened(s).device->describe().limits;
+    EXPECT_EQ(limits.max_force_n, most_n);
+    EXPECT_EQ(limits.continuous_force_n, lasting_n);
   }
 }
 

@@ -202,6 +202,8 @@ TEST_F(GameControllers, WhatTheyAreTakenForIsWhatTheDocumentationSays) {
   EXPECT_EQ(limits.max_force_n, 3);
   EXPECT_EQ(limits.continuous_force_n, 3);
   EXPECT_EQ(limits.max_stiffness_n_m, 300);
+  EXPECT_EQ(limits.max_damping_n_s_m, 1);
+  EXPECT_EQ(limits.own_damping_n_s_m, 0.2);
   EXPECT_NEAR(limits.delay_s, 0.018, 1e-12);
   EXPECT_EQ(sdl::stick_limits(standin::kPad).delay_s, 0);
 }

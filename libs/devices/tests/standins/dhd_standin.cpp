@@ -48,7 +48,8 @@ EXPORTED void nazori_standin_dhd_reset() {
   stage.y_m = stage.z_m = 0;
   stage.buttons = 0;
   stage.devices = 1;
-  stage.open_error = stage.bad_reads = 0;
+  stage.open_error = stage.bad_reads = stage.bad_writes = stage.looks_off = 0;
+  stage.bad_status = stage.wordless = false;
   stage.not_homed = stage.saturated = stage.force_on = stage.gravity_on = stage.button_emulated = false;
   stage.force_off_cause = stage.enables = 0;
   stage.remains = nullptr;
@@ -56,9 +57,9 @@ EXPORTED void nazori_standin_dhd_reset() {
   stage.type = 33;
   stage.max_force_n = -1;
   stage.force_x_n = stage.force_y_n = stage.force_z_n = 0;
-  stage.force_despite_error_n = stage.guard_n = 0;
+  stage.force_despite_error_n = stage.guard_n = stage.switched_on_with_n = 0;
   stage.opens = stage.closes = 0;
-  stage.reads = 0;
+  stage.reads = stage.looks = 0;
   error = 0;
 }
 
@@ -74,13 +75,17 @@ EXPORTED int dhdClose(char) {
   return 0;
 }
 EXPORTED int dhdErrorGetLast() { return error; }
-EXPORTED const char* dhdErrorGetLastStr() { return error == 5 ? "no device found" : "communication error"; }
-EXPORTED const char* dhdGetSystemName(char id) { return there(id) ? stage.name.load() : nullptr; }
-EXPORTED int dhdGetSystemType(char id) { return there(id) ? stage.type.load() : -1; }
+EXPORTED const char* dhdErrorGetLastStr() {
+  if (stage.wordless) return nullptr;
+  return error == 5 ? "no device found" : "communication error";
+}
 EXPORTED int dhdEnableForce(unsigned char on, char id) {
   if (!there(id)) return fail(2);
-  if (on != 0) ++stage.enables;
-  switch_forces(on != 0);
+  if (on != 0) {
+    ++stage.enables;
+    stage.switched_on_with_n = std::hypot(stage.force_x_n, stage.force_y_n, stage.force_z_n);
+  }
+  switch_forces(on == 1);
   return 0;  // even where the device is not homed
 }
 EXPORTED int dhdGetPosition(double* x, double* y, double* z, char id) {
@@ -103,12 +108,19 @@ EXPORTED int dhdSetForce(double x, double y, double z, char id) {
     motors(0, 0, 0);
     return fail(2);
   }
+  if (stage.bad_writes > 0) {
+    --stage.bad_writes;
+    return fail(7);
+  }
   motors(x, y, z);
   return stage.saturated ? 2 : 0;
 }
-#ifndef NAZORI_STANDIN_INCOMPLETE  // the variant of an older library
+#ifndef NAZORI_STANDIN_INCOMPLETE  // the variant of a library that has only what every version has
+EXPORTED const char* dhdGetSystemName(char id) { return there(id) ? stage.name.load() : nullptr; }
+EXPORTED int dhdGetSystemType(char id) { return there(id) ? stage.type.load() : -1; }
 EXPORTED int dhdGetStatus(int* status, char id) {
-  if (!there(id)) return fail(2);
+  ++stage.looks;
+  if (!there(id) || stage.bad_status) return fail(2);
   constexpr int kEntries = 17;
   std::fill_n(status, kEntries, 0);
   status[0] = status[1] = status[2] = 1;  // power, connected, started
@@ -116,25 +128,29 @@ EXPORTED int dhdGetStatus(int* status, char id) {
   status[5] = pushes() ? 1 : 0;
   status[6] = pushes() ? 0 : 1;
   status[14] = stage.force_off_cause;
+  if (stage.looks_off > 0) {
+    --stage.looks_off;
+    status[5] = 0;
+  }
   return 0;
 }
 EXPORTED int dhdEmulateButton(unsigned char on, char) {
-  stage.button_emulated = on != 0;
+  stage.button_emulated = on == 1;
   return 0;
 }
 EXPORTED unsigned int dhdGetButtonMask(char) { return stage.buttons; }
-#endif
-EXPORTED int dhdGetButton(int index, char) {
-  return static_cast<int>(stage.buttons >> static_cast<unsigned>(index)) & 1;
-}
 EXPORTED double dhdGetMaxForce(char id) { return there(id) ? stage.max_force_n.load() : -1; }
 EXPORTED int dhdSetMaxForce(double newtons, char) {
   stage.guard_n = newtons;
   return 0;
 }
 EXPORTED int dhdSetGravityCompensation(int on, char) {
-  stage.gravity_on = on != 0;
+  stage.gravity_on = on == 1;
   return 0;
+}
+#endif
+EXPORTED int dhdGetButton(int index, char) {
+  return static_cast<int>(stage.buttons >> static_cast<unsigned>(index)) & 1;
 }
 
 namespace {

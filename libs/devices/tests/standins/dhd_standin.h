@@ -18,6 +18,10 @@ struct DhdStage {
   std::atomic<bool> not_homed;       ///< dhdEnableForce returns 0 nevertheless; dhdGetStatus reports it
   std::atomic<int> force_off_cause;  ///< 1..6: forces go off for this reason and stay off until it is 0
   std::atomic<int> bad_reads;        ///< so many positions fail
+  std::atomic<int> bad_writes;       ///< so many forces are refused
+  std::atomic<bool> bad_status;      ///< dhdGetStatus fails
+  std::atomic<int> looks_off;        ///< so many answers of dhdGetStatus say that forces are off
+  std::atomic<bool> wordless;        ///< errors have no words
   std::atomic<bool> saturated;       ///< dhdSetForce answers 2, which is a success
   std::atomic<const char*> name;
   std::atomic<int> type;
@@ -29,8 +33,9 @@ struct DhdStage {
   std::atomic<double> force_despite_error_n;  ///< largest force requested while nothing was plugged in
   std::atomic<double> guard_n;                ///< dhdSetMaxForce
   std::atomic<bool> force_on, gravity_on, button_emulated;
+  std::atomic<double> switched_on_with_n;  ///< the force that stood there when forces were last switched on
   std::atomic<int> opens, closes, enables;
-  std::atomic<std::uint64_t> reads;
+  std::atomic<std::uint64_t> reads, looks;  ///< of the position and of the status
 };
 
 /// Exported by the stand-in as "nazori_standin_dhd"; "nazori_standin_dhd_reset" resets the stage.
