@@ -52,92 +52,98 @@ Function sdls_own(Function, const char* name) {
 }  // namespace
 
 // These replace SDL's functions. Without an ActedSdl they call them.
-#define SDLS_OWN(function) sdls_own(&function, #function)
 extern "C" {
 
 int SDL_InitSubSystem(Uint32 flags) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_InitSubSystem)(flags);
+  if (ActedSdl::now == nullptr) return sdls_own(SDL_InitSubSystem, "SDL_InitSubSystem")(flags);
   if (flags == SDL_INIT_HAPTIC) {
     if (!ActedSdl::now->haptics_start) return SDL_SetError("no force feedback in this kernel");
     ++ActedSdl::now->haptics_running;
     return 0;
   }
   if (!ActedSdl::now->sdl_starts) return SDL_SetError("no joysticks in this kernel");
-  return SDLS_OWN(SDL_InitSubSystem)(flags);
+  return sdls_own(SDL_InitSubSystem, "SDL_InitSubSystem")(flags);
 }
 void SDL_QuitSubSystem(Uint32 flags) {
   if (ActedSdl::now != nullptr && flags == SDL_INIT_HAPTIC)
     --ActedSdl::now->haptics_running;
   else
-    SDLS_OWN(SDL_QuitSubSystem)(flags);
+    sdls_own(SDL_QuitSubSystem, "SDL_QuitSubSystem")(flags);
 }
 void SDL_JoystickUpdate() {
   if (ActedSdl::now != nullptr) ++ActedSdl::now->updates;
-  SDLS_OWN(SDL_JoystickUpdate)();
+  sdls_own(SDL_JoystickUpdate, "SDL_JoystickUpdate")();
 }
 SDL_Joystick* SDL_JoystickOpen(int index) {
   if (ActedSdl::now != nullptr && !ActedSdl::now->joysticks_open) return nullptr;
-  return SDLS_OWN(SDL_JoystickOpen)(index);
+  return sdls_own(SDL_JoystickOpen, "SDL_JoystickOpen")(index);
 }
 SDL_GameController* SDL_GameControllerOpen(int index) {
   if (ActedSdl::now != nullptr && !ActedSdl::now->pads_open) return nullptr;
-  return SDLS_OWN(SDL_GameControllerOpen)(index);
+  return sdls_own(SDL_GameControllerOpen, "SDL_GameControllerOpen")(index);
 }
 int SDL_JoystickIsHaptic(SDL_Joystick* joystick) {
-  return ActedSdl::now != nullptr ? ActedSdl::now->is_haptic : SDLS_OWN(SDL_JoystickIsHaptic)(joystick);
+  return ActedSdl::now != nullptr ? ActedSdl::now->is_haptic
+                                  : sdls_own(SDL_JoystickIsHaptic, "SDL_JoystickIsHaptic")(joystick);
 }
 SDL_Haptic* SDL_HapticOpenFromJoystick(SDL_Joystick* joystick) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticOpenFromJoystick)(joystick);
+  if (ActedSdl::now == nullptr)
+    return sdls_own(SDL_HapticOpenFromJoystick, "SDL_HapticOpenFromJoystick")(joystick);
   if (!ActedSdl::now->haptics_open) return nullptr;
   ++ActedSdl::now->handles;
   ++ActedSdl::now->handles_made;
   return reinterpret_cast<SDL_Haptic*>(ActedSdl::now);
 }
 void SDL_HapticClose(SDL_Haptic* haptic) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticClose)(haptic);
+  if (ActedSdl::now == nullptr) return sdls_own(SDL_HapticClose, "SDL_HapticClose")(haptic);
   --ActedSdl::now->handles;
 }
 unsigned int SDL_HapticQuery(SDL_Haptic* haptic) {
-  return ActedSdl::now != nullptr ? ActedSdl::now->can : SDLS_OWN(SDL_HapticQuery)(haptic);
+  return ActedSdl::now != nullptr ? ActedSdl::now->can : sdls_own(SDL_HapticQuery, "SDL_HapticQuery")(haptic);
 }
 int SDL_HapticNumAxes(SDL_Haptic* haptic) {
-  return ActedSdl::now != nullptr ? ActedSdl::now->axes : SDLS_OWN(SDL_HapticNumAxes)(haptic);
+  return ActedSdl::now != nullptr ? ActedSdl::now->axes
+                                  : sdls_own(SDL_HapticNumAxes, "SDL_HapticNumAxes")(haptic);
 }
 int SDL_HapticSetGain(SDL_Haptic* haptic, int gain) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticSetGain)(haptic, gain);
+  if (ActedSdl::now == nullptr) return sdls_own(SDL_HapticSetGain, "SDL_HapticSetGain")(haptic, gain);
   ActedSdl::now->gain = gain;
   return 0;
 }
 int SDL_HapticSetAutocenter(SDL_Haptic* haptic, int centring) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticSetAutocenter)(haptic, centring);
+  if (ActedSdl::now == nullptr)
+    return sdls_own(SDL_HapticSetAutocenter, "SDL_HapticSetAutocenter")(haptic, centring);
   ActedSdl::now->centring = centring;
   return 0;
 }
 int SDL_HapticNewEffect(SDL_Haptic* haptic, SDL_HapticEffect* effect) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticNewEffect)(haptic, effect);
+  if (ActedSdl::now == nullptr) return sdls_own(SDL_HapticNewEffect, "SDL_HapticNewEffect")(haptic, effect);
   if (!ActedSdl::now->takes_effects) return SDL_SetError("refused");
   const int id = 3 + static_cast<int>(ActedSdl::now->effects.size());
   ActedSdl::now->effects[id].what = *effect;
   return id;
 }
 int SDL_HapticUpdateEffect(SDL_Haptic* haptic, int id, SDL_HapticEffect* effect) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticUpdateEffect)(haptic, id, effect);
+  if (ActedSdl::now == nullptr)
+    return sdls_own(SDL_HapticUpdateEffect, "SDL_HapticUpdateEffect")(haptic, id, effect);
   ActedSdl::now->effects.at(id).what = *effect;
   return ActedSdl::done_or_refused();
 }
 int SDL_HapticRunEffect(SDL_Haptic* haptic, int id, Uint32 times) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticRunEffect)(haptic, id, times);
+  if (ActedSdl::now == nullptr)
+    return sdls_own(SDL_HapticRunEffect, "SDL_HapticRunEffect")(haptic, id, times);
   ActedSdl::now->effects.at(id).running = true;
   ActedSdl::now->effects.at(id).times = times;
   return ActedSdl::done_or_refused();
 }
 int SDL_HapticStopEffect(SDL_Haptic* haptic, int id) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticStopEffect)(haptic, id);
+  if (ActedSdl::now == nullptr) return sdls_own(SDL_HapticStopEffect, "SDL_HapticStopEffect")(haptic, id);
   ActedSdl::now->effects.at(id).running = false;
   return ActedSdl::done_or_refused();
 }
 void SDL_HapticDestroyEffect(SDL_Haptic* haptic, int id) {
-  if (ActedSdl::now == nullptr) return SDLS_OWN(SDL_HapticDestroyEffect)(haptic, id);
+  if (ActedSdl::now == nullptr)
+    return sdls_own(SDL_HapticDestroyEffect, "SDL_HapticDestroyEffect")(haptic, id);
   ActedSdl::now->effects.erase(id);
 }
 
