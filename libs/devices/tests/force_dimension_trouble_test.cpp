@@ -97,8 +97,8 @@ TEST_F(ForceDimension, ForcesAreOffWhereTwoLooksSaySo) {
   ASSERT_TRUE(device.device->start(plane));
   const auto absent_after = [&](int looks) {
     const int before = plane.absent;
-    const std::uint64_t from = stage->looks;
     stage->looks_off = looks;
+    const std::uint64_t from = stage->looks;
     EXPECT_TRUE(comes_true([&] { return stage->looks_off == 0 && stage->looks > from + 6; }));
     return plane.absent - before;
   };
@@ -121,10 +121,10 @@ TEST_F(ForceDimension, OnceItIsHomedForcesAreSwitchedOnAtTheNextLookWithoutARest
   stage->force_off_cause = 0;
   stage->force_on = false;
   const int enables = stage->enables;
-  const std::uint64_t from = stage->looks;
   stage->not_homed = false;
+  const std::uint64_t from = stage->looks;
   EXPECT_TRUE(comes_true([&] { return stage->enables > enables; }));
-  EXPECT_LE(stage->looks, from + 5) << "a rest would be thirty looks";
+  EXPECT_LE(stage->switched_on_at_look, from + 2) << "a rest would be thirty looks";
 }
 
 TEST_F(ForceDimension, AForceThatIsRefusedPausesItAndTwentyInARowAreTheEnd) {

@@ -106,10 +106,13 @@ TEST_F(OpenHaptics, TheCalibrationIsCheckedInEverySixtyFourthTick) {
 TEST_F(OpenHaptics, ItEndsWithFourTicksOfZeroAndOneZeroBehindThem) {
   test::Push push({0, 0, 1});
   OpenedDevice device = opened();
-  ASSERT_TRUE(device.device->start(push));
-  EXPECT_TRUE(comes_true([&] { return pushes({0, 0, 1}); }));
-  device.device->stop();
-  EXPECT_EQ(stage->zero_ticks, 5U);
+  // It waits for them for a fifth of a second. Tried again in case the machine paused for that long.
+  EXPECT_TRUE(comes_true([&] {
+    EXPECT_TRUE(device.device->start(push));
+    EXPECT_TRUE(comes_true([&] { return pushes({0, 0, 1}); }));
+    device.device->stop();
+    return stage->zero_ticks == 5U;
+  }));
 }
 
 TEST_F(OpenHaptics, LookingLeavesNoFileOpen) {

@@ -59,7 +59,7 @@ EXPORTED void nazori_standin_dhd_reset() {
   stage.force_x_n = stage.force_y_n = stage.force_z_n = 0;
   stage.force_despite_error_n = stage.guard_n = stage.switched_on_with_n = 0;
   stage.opens = stage.closes = 0;
-  stage.reads = stage.looks = 0;
+  stage.reads = stage.looks = stage.switched_on_at_look = 0;
   error = 0;
 }
 
@@ -82,6 +82,7 @@ EXPORTED const char* dhdErrorGetLastStr() {
 EXPORTED int dhdEnableForce(unsigned char on, char id) {
   if (!there(id)) return fail(2);
   if (on != 0) {
+    stage.switched_on_at_look = stage.looks.load();
     ++stage.enables;
     stage.switched_on_with_n = std::hypot(stage.force_x_n, stage.force_y_n, stage.force_z_n);
   }

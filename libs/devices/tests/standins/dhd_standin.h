@@ -36,6 +36,8 @@ struct DhdStage {
   std::atomic<double> switched_on_with_n;  ///< the force that stood there when forces were last switched on
   std::atomic<int> opens, closes, enables;
   std::atomic<std::uint64_t> reads, looks;  ///< of the position and of the status
+  std::atomic<std::uint64_t>
+      switched_on_at_look;  ///< how many looks there were when forces were last switched on
 };
 
 /// Exported by the stand-in as "nazori_standin_dhd"; "nazori_standin_dhd_reset" resets the stage.
