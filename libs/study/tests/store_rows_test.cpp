@@ -10,6 +10,7 @@
 #include <set>
 
 #include "learner_fixture.h"
+#include "nazori/study/backups.h"
 
 namespace nazori::study {
 namespace {
@@ -219,6 +220,15 @@ TEST(StoreRows, EveryColumnOfTheLogHasItsRange) {
                              "faults = 'wrong:99999999999'",
                              "faults = 'wrong:1  ending:0'"})
     EXPECT_FALSE(fits(damage, 1)) << damage;
+}
+
+TEST(StoreRows, ABackupWithADamagedEntryIsNotCounted) {
+  ChangedFile changed;
+  EXPECT_TRUE(look_into(changed.file()));
+  changed.execute("UPDATE log SET score = 101 WHERE id = 1");
+  const auto looked = look_into(changed.file());
+  ASSERT_FALSE(looked);
+  EXPECT_EQ(looked.error().code, base::Errc::parse);
 }
 
 TEST(StoreRows, EveryColumnOfACardHasItsRange) {
