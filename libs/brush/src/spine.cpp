@@ -295,9 +295,9 @@ void Spine::place(const SpinePose& pose) noexcept {
 bool Spine::move_to(const SpinePose& pose) noexcept {
   iterations_ = 0;
   const SpinePose from = pose_;
-  const double far = std::max({std::abs(pose.root.x - from.root.x), std::abs(pose.root.z - from.root.z)});
+  if (!std::isfinite(pose.root.x + pose.root.z + pose.tilt_rad)) return false;
+  const double far = std::max(std::abs(pose.root.x - from.root.x), std::abs(pose.root.z - from.root.z));
   const double turn = std::abs(pose.tilt_rad - from.tilt_rad);
-  if (!std::isfinite(far) || !std::isfinite(turn)) return false;
   const double needed = std::ceil(std::max(far / kStep, turn / kTurn_rad));
   const int steps = static_cast<int>(std::clamp(needed, 1.0, static_cast<double>(kMostSteps)));
   bool good = true;

@@ -299,6 +299,7 @@ TEST(Spine, APoseThatIsNoNumberLeavesTheLastGoodShape) {
   const double push = spine.push();
   EXPECT_FALSE(spine.move_to({{std::numeric_limits<double>::quiet_NaN(), 0.5}, 0}));
   EXPECT_FALSE(spine.move_to({{0, std::numeric_limits<double>::infinity()}, 0}));
+  EXPECT_FALSE(spine.move_to({{0, std::numeric_limits<double>::quiet_NaN()}, 0}));
   EXPECT_EQ(spine.push(), push);
   EXPECT_TRUE(spine.move_to(pressed(0.2, 0, 0.2)));
 }
