@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "resistance.h"
+
 namespace nazori::brush {
 namespace {
 
@@ -14,34 +16,6 @@ constexpr double kAtRest = 1e-5;  // entering the paper by less counts as none
 constexpr int kMostNewton = 40;
 constexpr int kMostUpdates = 12;      // of the multipliers
 constexpr double kLongestTurn = 0.4;  // of one joint in one Newton step [rad]
-
-/// Energy, moment and stiffness of a part of a joint.
-struct Resistance {
-  double energy = 0;
-  double moment = 0;
-  double stiffness = 0;
-};
-
-/// A spring with stiffness `k` whose zero follows `angle` at a distance of `yield`, but not beyond `most`
-/// from the angle `rest`.
-Resistance keeping(double angle, double kept, double k, double yield, double most, double rest) noexcept {
-  const double e = angle - kept;
-  const double size = std::abs(e);
-  if (most <= 0 || size <= yield) return {0.5 * k * e * e, k * e, k};
-  const double side = e > 0 ? 1.0 : -1.0;
-  const double flow = std::max(0.0, side * (rest - kept) + most);  // way that the zero may still go
-  const double beyond = size - yield;
-  if (beyond <= flow) return {k * yield * (0.5 * yield + beyond), side * k * yield, 0};
-  const double stretched = size - flow;
-  return {k * yield * flow + 0.5 * k * stretched * stretched, side * k * stretched, k};
-}
-
-/// A spring with stiffness `k` that slips at the stretch `slip`.
-Resistance slipping(double stretch, double k, double slip) noexcept {
-  const double size = std::abs(stretch);
-  if (size <= slip) return {0.5 * k * stretch * stretch, k * stretch, k};
-  return {k * slip * (size - 0.5 * slip), stretch > 0 ? k * slip : -k * slip, 0};
-}
 
 }  // namespace
 
@@ -91,8 +65,7 @@ double Spine::energy(const Joints& bend, const std::array<SpinePoint, kSize + 1>
   for (std::size_t k = 1; k <= n; ++k) {
     const double push = std::max(0.0, push_[k] - kPaper * (nodes[k].z - clear_[k]));
     sum += 0.5 * push * push / kPaper;
-    if (limit_[k] > 0)
-      sum += slipping(nodes[k].x - anchor_[k], friction_.sideways, limit_[k] / friction_.sideways).energy;
+    sum += slipping(nodes[k].x - anchor_[k], friction_.sideways, limit_[k] / friction_.sideways).energy;
   }
   return sum;
 }
@@ -107,8 +80,8 @@ void Spine::derivatives(const Joints& bend, const std::array<SpinePoint, kSize +
     kz[k] = push > 0 ? kPaper : 0.0;
     const Resistance drag =
         slipping(nodes[k].x - anchor_[k], friction_.sideways, limit_[k] / friction_.sideways);
-    fx[k] = limit_[k] > 0 ? drag.moment : 0.0;
-    kx[k] = limit_[k] > 0 ? drag.stiffness : 0.0;
+    fx[k] = drag.moment;
+    kx[k] = drag.stiffness;
   }
   fx[n] -= tip_force_.x;
   fz[n] -= tip_force_.z;

@@ -368,7 +368,7 @@ void Tuft::move_to(const HolderPose& pose, std::vector<BristleSegment>& swept) {
     if (unswept < kStepsPerSweep && i < steps) continue;
     std::swap(before_, now_);
     touch(now_);
-    if (touching_ > 0) sweep(seconds * unswept, swept);
+    sweep(seconds * unswept, swept);
     unswept = 0;
   }
 }
