@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "nazori/brush/tuft.h"
+#include "sweep_times.h"
 
 namespace nazori::brush {
 namespace {
@@ -163,21 +164,6 @@ TEST(TuftShape, TheWidthsOfThePatchHoldItsBristles) {
   EXPECT_NEAR(tuft.width_m(), top - bottom, 0.05 * tuft.width_m());
   EXPECT_NEAR(tuft.patch_m(), right - left, 0.25 * tuft.patch_m());
   EXPECT_NEAR(tuft.patch_at().y, (top + bottom) / 2, 0.1 * tuft.width_m());
-}
-
-/// The shares of bristles whose way is their speed times each of some times.
-std::vector<double> shares(const Swept& swept, const std::vector<double>& seconds) {
-  std::vector<double> found(seconds.size());
-  double moving = 0;
-  for (const BristleSegment& s : swept) {
-    const double way = geometry::distance(s.from, s.to);
-    if (way < 2e-6) continue;
-    ++moving;
-    for (std::size_t i = 0; i < seconds.size(); ++i)
-      if (std::abs(way - s.speed_m_s * seconds[i]) < 1e-9) ++found[i];
-  }
-  for (double& share : found) share /= moving;
-  return found;
 }
 
 TEST(TuftSweep, ABristleIsAsFastAsItsWayInItsTime) {
