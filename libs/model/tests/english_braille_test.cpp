@@ -92,6 +92,21 @@ TEST(ContractedBraille, WhatIsNotLatinHasNoCells) {
   EXPECT_EQ(patterns("caf\u00E9"), U"⠉⠁⠋⠘⠌⠑");  // the acute accent before its letter: section 4.2
 }
 
+TEST(ContractedBraille, LatinLettersAndTheirPunctuationAreTakenUpToTheirBounds) {
+  for (const char* text : {"\x1F", "\x7F", "\u00A0", "\u0180", "\u2012", "\u201E", "\u2025", "\u2027"})
+    EXPECT_EQ(patterns(text), U"none") << text;
+  for (const char* text : {" ", "~", "\u00A1", "\u017E", "\u2013", "\u201D", "\u2026"}) {
+    EXPECT_NE(patterns(text), U"none") << text;
+    EXPECT_NE(patterns(text), U"") << text;
+  }
+}
+
+TEST(EnglishBraille, WithoutContractionsCapitalsAreSmallLetters) {
+  EXPECT_EQ(patterns("AZaz", EnglishBraille::uncontracted), U"⠁⠵⠁⠵");
+  for (const char* text : {"@", "[", "`", "{"})
+    EXPECT_EQ(patterns(text, EnglishBraille::uncontracted), U"none") << text;
+}
+
 TEST(EnglishBraille, WithoutContractionsEachLetterHasItsCell) {
   EXPECT_EQ(patterns("Rest", EnglishBraille::uncontracted), U"⠗⠑⠎⠞");
   EXPECT_EQ(patterns("day off", EnglishBraille::uncontracted), U"⠙⠁⠽⠀⠕⠋⠋");

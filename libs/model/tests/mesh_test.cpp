@@ -115,6 +115,81 @@ TEST(Mesh, TheSamePlateGivesTheSameMesh) {
   EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
 }
 
+TEST(Mesh, ItsCornersLieOnTheSamplesOfThePlateAndOnTheBed) {
+  Plate plate = Plate::create(30, 20, 0.25, 4).value();
+  plate.sink(hills(65), {2, 2}, 16, 2);
+  ASSERT_TRUE(plate.add_hole({{25, 10}, 2}));
+  const Mesh mesh = mesh_of(plate)->mesh;
+  for (const auto& [x, y, z] : mesh.vertices) {
+    const int column = static_cast<int>(std::lround(x / 0.25));
+    const int row = static_cast<int>(std::lround(y / 0.25));
+    EXPECT_FLOAT_EQ(x, static_cast<float>(column * 0.25));
+    EXPECT_FLOAT_EQ(y, static_cast<float>(row * 0.25));
+    EXPECT_TRUE(z == 0 || z == plate.at(column, row)) << x << " " << y;
+  }
+}
+
+TEST(Mesh, TheWallOfAHoleHasTwentyFourCornersOnItsCircle) {
+  Plate plate = Plate::create(30, 20, 0.25, 4).value();
+  ASSERT_TRUE(plate.add_hole({{20, 9}, 3}));
+  const Mesh mesh = mesh_of(plate)->mesh;
+  std::set<std::pair<float, float>> lower, wanted;
+  for (const auto& t : mesh.triangles) {
+    // Triangles of walls stand upright: two of their corners are above one another.
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& a = mesh.vertices[t[i]];
+      const auto& b = mesh.vertices[t[(i + 1) % 3]];
+      if (a[0] == b[0] && a[1] == b[1] && std::hypot(a[0] - 20, a[1] - 9) < 4) lower.emplace(a[0], a[1]);
+    }
+  }
+  for (int i = 0; i < 24; ++i) {
+    const double angle = i * std::numbers::pi / 12;
+    wanted.emplace(static_cast<float>(std::lround((20 + 3 * std::cos(angle)) * 4)) / 4,
+                   static_cast<float>(std::lround((9 + 3 * std::sin(angle)) * 4)) / 4);
+  }
+  EXPECT_EQ(lower, wanted);
+}
+
+TEST(Mesh, HasNearlyAsManyTrianglesAsItMayWhereTheyDoNotSuffice) {
+  Plate plate = sunk(noise(129, 6), 64, 0.5);
+  Plate holed = Plate::create(64, 64, 0.25, 5).value();
+  holed.sink(noise(129, 7), {0, 0}, 50, 3);
+  ASSERT_TRUE(holed.add_hole({{57, 57}, 3}));
+  for (const std::size_t most : {std::size_t{1000}, std::size_t{2500}, std::size_t{12'000}})
+    for (const Plate* p : {&plate, &holed}) {
+      const auto made = mesh_of(*p, {1e-4, most});
+      ASSERT_TRUE(made);
+      EXPECT_LE(made->mesh.triangles.size(), most);
+      EXPECT_GE(made->mesh.triangles.size(), most * 85 / 100);
+      EXPECT_EQ(open_edges(made->mesh), 0U);
+    }
+}
+
+TEST(Mesh, TheGreatestDistanceIsTold) {
+  // A mesh that may have few triangles: the farthest sample from it, by the height of its triangles there.
+  const Plate plate = sunk(noise(33, 8), 16, 0.5);
+  const auto made = mesh_of(plate, {1e-4, 1000});
+  ASSERT_TRUE(made);
+  double worst = 0;
+  for (int row = 0; row < plate.rows(); ++row)
+    for (int column = 0; column < plate.columns(); ++column) {
+      const double x = column * 0.5, y = row * 0.5;
+      for (const auto& t : made->mesh.triangles) {
+        const auto &a = made->mesh.vertices[t[0]], &b = made->mesh.vertices[t[1]],
+                   &c = made->mesh.vertices[t[2]];
+        const double whole = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        if (whole <= 1e-9) continue;  // of the lower face or a wall
+        const double u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / whole;
+        const double v = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / whole;
+        if (u < -1e-9 || v < -1e-9 || u + v > 1 + 1e-9) continue;
+        worst =
+            std::max(worst, std::abs(a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]) - plate.at(column, row)));
+      }
+    }
+  EXPECT_GT(worst, 0.01);
+  EXPECT_NEAR(made->error_mm, worst, 1e-4);
+}
+
 TEST(Mesh, ASettingOutOfRangeIsRefused) {
   const Plate plate = Plate::create(30, 20, 0.5, 4).value();
   EXPECT_EQ(mesh_of(plate, {0, 99'000}).error().code, base::Errc::bad_argument);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "nazori/model/raised.h"
@@ -32,6 +34,35 @@ TEST(StrokeNumbers, StandBehindTheStartClearOfItsDot) {
   EXPECT_NEAR(without.numbers[0].lower_left.x, 30 - 2.5 - 3.75, 1e-9);
   settings.numbers = false;
   EXPECT_TRUE(stroke_numbers(stroke, 60, 60, settings).numbers.empty());
+}
+
+TEST(StrokeNumbers, TurnFromBehindTheStartByFifteenDegreesToOneSideThenToTheOther) {
+  // The stroke goes to the right; where another one lies behind its start decides how far.
+  const RaisedStroke stroke{{{40, 40}, {60, 40}}, LineEnd::full};
+  RaisedStrokeSettings settings;
+  settings.start_dots = false;
+  settings.line.width_mm = 0.1;
+  settings.clear_mm = 0.5;
+  const auto place = [&](const std::vector<RaisedStroke>& others) {
+    std::vector<RaisedStroke> all{stroke};
+    all.insert(all.end(), others.begin(), others.end());
+    return stroke_numbers(all, 80, 80, settings).numbers.at(0).lower_left;
+  };
+  const auto beside = [](double degrees, double distance) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return PlatePoint{40 + std::cos(angle) * (distance + 3.75 / 2) - 3.75 / 2,
+                      40 + std::sin(angle) * (distance + 6.25 / 2) - 6.25 / 2};
+  };
+  const auto expect_place = [&](const std::vector<RaisedStroke>& others, PlatePoint wanted) {
+    const PlatePoint found = place(others);
+    EXPECT_NEAR(found.x, wanted.x, 1e-9);
+    EXPECT_NEAR(found.y, wanted.y, 1e-9);
+  };
+  expect_place({}, beside(180, 2));
+  // A point just above the box: 15 degrees is up and left of 180 - 15, so first it goes down, by 195 - 180.
+  const auto point = [](double x, double y) { return RaisedStroke{{{x, y}}, LineEnd::full}; };
+  expect_place({point(37, 36.4)}, beside(165, 2));
+  expect_place({point(37, 43.4)}, beside(195, 2));
 }
 
 TEST(StrokeNumbers, StayOnThePageWithTheirClearance) {
