@@ -223,7 +223,7 @@ void Tuft::touch(std::vector<Contact>& contacts) {
     const double px = place.x + split * (place.clump_x - place.x);
     const double py = place.y + split * (place.clump_y - place.y);
     const double up = cosine * px - sine * py, side = sine * px + cosine * py;
-    double from = 2, to = -1, lowest = reach, before = 0;
+    double from = 2, lowest = reach, before = 0;
     Station first{}, final{};
     for (std::size_t j = 0; j < count; ++j) {
       const Station& station = stations[j];
@@ -240,24 +240,22 @@ void Tuft::touch(std::vector<Contact>& contacts) {
                        a.half_width + t * (station.half_width - a.half_width),
                        a.radius + t * (station.radius - a.radius)};
       };
+      // The bristle may end within this part of the spine.
+      const double whole =
+          j > 0 ? (place.end - stations[j - 1].along) / (station.along - stations[j - 1].along) : 1.0;
       if (touches) {
         if (from > 1) {
           first = j > 0 ? between((before - reach) / (before - height)) : station;
           from = first.along;
         }
-        final = station.along <= place.end || j == 0
-                    ? station
-                    : between((place.end - stations[j - 1].along) / (station.along - stations[j - 1].along));
-        to = final.along;
+        final = whole < 1 ? between(whole) : station;
         lowest = std::min(lowest, height);
-      } else if (to >= 0 && before < reach) {
-        final = between((reach - before) / (height - before));
-        if (final.along > place.end) final = first;
-        to = final.along;
+      } else if (j > 0 && before < reach) {
+        final = between(std::min(whole, (reach - before) / (height - before)));
       }
       before = height;
     }
-    if (from > place.end || to < from) continue;
+    if (from > place.end) continue;
     const auto on_paper = [&](const Station& s) {
       return pose_.at + ahead * (s.x + s.lean * s.radius * up) + left * (s.half_width * side);
     };
