@@ -34,7 +34,7 @@ std::span<const geometry::BristleSegment> HeldBrush::move(const PenSample& sampl
   HolderPose pose = holder_.next(sample);
   aim_.lead(pose, tuft_);
   // The foot comes back to the pen before the tip leaves the paper, so that the stroke ends there.
-  if (pose.depth_m <= 0 && was_down && tuft_.touching()) {
+  if (pose.depth_m <= 0 && was_down) {
     HolderPose leaves = pose;
     leaves.depth_m = 0;
     leaves.time_s = pen_.time_s + (pose.time_s - pen_.time_s) / 2;

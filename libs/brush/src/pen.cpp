@@ -45,8 +45,7 @@ HolderPose PenToHolder::next(const PenSample& sample) noexcept {
       const double seconds = sample.time_s - before_->time_s;
       if (seconds > 0) {
         const double wanted = pressure_at(geometry::distance(before_->at, sample.at) / seconds, handling_);
-        const double rest = handling_.settles_s > 0 ? std::exp(-seconds / handling_.settles_s) : 0.0;
-        guessed_ = wanted + (guessed_ - wanted) * rest;
+        guessed_ = wanted + (guessed_ - wanted) * std::exp(-seconds / handling_.settles_s);
       }
     }
     pose.depth_m = deepest * guessed_;

@@ -8,9 +8,9 @@ namespace nazori::brush {
 
 /// Energy, moment and stiffness of a part of a joint.
 struct Resistance {
-  double energy = 0;
-  double moment = 0;
-  double stiffness = 0;
+  double energy;
+  double moment;
+  double stiffness;
 };
 
 /// A spring with stiffness `k` whose zero follows `angle` at a distance of `yield`, but not beyond `most`

@@ -123,10 +123,8 @@ bool Spine::minimise(Joints& bend, const SpinePose& pose, std::array<SpinePoint,
     if (steepest < kStill) return true;
     ++iterations_;
     // Cholesky's factors; where the energy is not convex, of the curvature with more on its diagonal.
-    double added = 0;
-    for (bool convex = false; !convex;) {
-      convex = true;
-      for (std::size_t i = 0; i < n && convex; ++i) {
+    const auto is_factored = [&](double added) {
+      for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
           double sum = curvature[i][j] + (i == j ? added : 0.0);
           for (std::size_t k = 0; k < j; ++k) sum -= factor[i][k] * factor[j][k];
@@ -135,11 +133,13 @@ bool Spine::minimise(Joints& bend, const SpinePose& pose, std::array<SpinePoint,
           } else if (sum > 1e-9) {
             factor[i][i] = std::sqrt(sum);
           } else {
-            convex = false;
+            return false;
           }
         }
       }
-      if (convex) break;
+      return true;
+    };
+    for (double added = 0; !is_factored(added);) {
       added = added > 0 ? 4 * added : 0.05;
       if (added > 1e9) return false;
     }
@@ -268,7 +268,8 @@ void Spine::place(const SpinePose& pose) noexcept {
 bool Spine::move_to(const SpinePose& pose) noexcept {
   iterations_ = 0;
   const SpinePose from = pose_;
-  if (!std::isfinite(pose.root.x + pose.root.z + pose.tilt_rad)) return false;
+  if (!(std::isfinite(pose.root.x) && std::isfinite(pose.root.z) && std::isfinite(pose.tilt_rad)))
+    return false;
   const double far = std::max(std::abs(pose.root.x - from.root.x), std::abs(pose.root.z - from.root.z));
   const double turn = std::abs(pose.tilt_rad - from.tilt_rad);
   const double needed = std::ceil(std::max(far / kStep, turn / kTurn_rad));

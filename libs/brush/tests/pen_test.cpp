@@ -133,6 +133,8 @@ TEST(PenToHolder, TheGuessGoesFromSlowToFastByTheRatioOfSpeeds) {
   EXPECT_NEAR(guessed(0, 0.1, 100, handling), kSlowPressure, 1e-12);
   EXPECT_NEAR(guessed(0.9e-6, 0.1, 100, handling), kSlowPressure, 1e-12);
   EXPECT_NEAR(guessed(2.1e-6, 0.1, 100, handling), kFastPressure, 1e-12);
+  // Between a slow one of a millionth and a fast one of two.
+  EXPECT_NEAR(guessed(1.2e-6, 0.1, 100, handling), 0.75 - 0.6 * std::log2(1.2), 1e-9);
 }
 
 TEST(PenToHolder, AReportAtTheSameTimeChangesNoGuess) {

@@ -147,6 +147,15 @@ TEST(SpineBalance, NodesLieAlongTheHairFromItsRoot) {
   }
 }
 
+TEST(SpineForm, OfTwoSegmentsTheSecondIsAsMuchShorterAsTheTipSegmentSays) {
+  SpineForm two;
+  two.segments = 2;
+  two.tip_segment = 0.25;
+  EXPECT_NEAR(Spine(two).along()[1], 0.8, 1e-15);
+  two.segments = 1;
+  EXPECT_EQ(Spine(two).along()[1], 1);
+}
+
 /// Steps of Newton's method that a small move of the way needs on average.
 double mean_iterations(const SpineFriction& friction, SpinePoint force) {
   Spine spine(form(8), friction);
