@@ -52,7 +52,6 @@ void HeldBrush::touch_down(const PenSample& sample) {
   if (above.height_m) above.height_m = handling_.lifted_m;
   above.time_s = std::max(pen_.time_s, sample.time_s - kTouchesBefore_s);
   HolderPose pose = holder_.next(above);
-  tuft_.move_to(pose, swept_);
   pose.depth_m = 0;
   tuft_.move_to(pose, swept_);
 }

@@ -131,6 +131,37 @@ TEST(HeldBrush, TheTipOfAForceDeviceComesDownWhereItsHeightFallsBelowThePaper) {
   for (const auto& segment : swept) EXPECT_LT(segment.from.x, -0.015);
 }
 
+TEST(HeldBrush, TheFirstInkOfAStrokeIsUnderThePenHoweverFirm) {
+  for (const double pressure : {0.3, 0.9}) {
+    HeldBrush brush(medium());
+    PenSample sample = pen(1, {0.01, 0.02}, true);
+    sample.pressure = pressure;
+    const auto swept = brush.move(sample, 1);
+    ASSERT_FALSE(swept.empty());
+    EXPECT_LT(geometry::distance(swept.front().from, sample.at), 0.001) << pressure;
+  }
+}
+
+TEST(HeldBrush, APenWithoutPressureLeavesThePaper) {
+  // Its foot comes back to the pen in half of the time, as that of a pen that is lifted does.
+  const auto ends = [](bool lifted) {
+    HeldBrush brush(medium());
+    for (int i = 0; i <= 40; ++i)
+      static_cast<void>(brush.move(pen(0.01 * (i + 1), {0.0005 * i, 0}, true), 1));
+    PenSample last = pen(0.43, {0.02, 0}, !lifted);
+    last.pressure = 0;
+    const auto swept = brush.move(last, 1);
+    EXPECT_FALSE(brush.tuft().touching());
+    return std::vector(swept.begin(), swept.end());
+  };
+  const auto lifted = ends(true), light = ends(false);
+  ASSERT_EQ(lifted.size(), light.size());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    EXPECT_EQ(lifted[i].to, light[i].to);
+    EXPECT_EQ(lifted[i].speed_m_s, light[i].speed_m_s);
+  }
+}
+
 TEST(HeldBrush, AStrokeEndsUnderThePenThatIsLifted) {
   HeldBrush brush(medium());
   for (int i = 0; i <= 40; ++i) static_cast<void>(brush.move(pen(0.01 * (i + 1), {0.0005 * i, 0}, true), 1));

@@ -140,6 +140,32 @@ TEST(TuftShape, ThePatchLiesAtItsReachInTheDirectionOfTheTip) {
   EXPECT_EQ(tuft.points_to_rad(), 0.75 * kPi);
 }
 
+TEST(TuftShape, AFootThatPassesOverItsPatchLeavesItBehind) {
+  // Pressed harder, hair is pushed ahead.
+  const double depth = 0.05;
+  for (const double wetness : {0.0, 1.0}) {
+    Tuft tuft(thick());
+    tuft.set_wetness(wetness);
+    tuft.reset(0);  // along +x
+    Swept swept;
+    HolderPose pose = above(0.005);
+    tuft.move_to(pose, swept);
+    pose.depth_m = depth * thick().hair_m;
+    tuft.move_to(pose, swept);
+    PaperPoint before = tuft.patch_at();
+    for (int i = 0; i < 100; ++i) {
+      pose.at.x += 0.01 * thick().hair_m;
+      pose.time_s += 0.01;
+      tuft.move_to(pose, swept);
+      EXPECT_LT(geometry::distance(tuft.patch_at(), before), 0.12 * thick().hair_m) << wetness << " " << i;
+      before = tuft.patch_at();
+    }
+    EXPECT_LT(before.x, pose.at.x) << wetness;
+    EXPECT_NEAR(std::abs(std::remainder(tuft.points_to_rad(), 2 * kPi)), kPi, 1e-6);
+    EXPECT_GT(tuft.reach_m(), 0);
+  }
+}
+
 TEST(TuftShape, TheWidthsOfThePatchHoldItsBristles) {
   Tuft tuft(thick());
   Swept swept;
