@@ -150,6 +150,21 @@ TEST(Mesh, TheWallOfAHoleHasTwentyFourCornersOnItsCircle) {
   EXPECT_EQ(lower, wanted);
 }
 
+TEST(Mesh, AWideHoleIsClosedThoughTheGroundIsRoughAMillimetreFromIt) {
+  for (const double radius : {6.0, 11.0}) {
+    const PlatePoint centre{20, 20};
+    auto map = noise(161, 12);
+    for (int row = 0; row < 161; ++row)
+      for (int column = 0; column < 161; ++column)
+        if (std::hypot(column * 0.25 - centre.x, 40 - row * 0.25 - centre.y) <= radius + 1.3)
+          map.set(column, row, 1.0F);
+    Plate plate = Plate::create(40, 40, 0.25, 5).value();
+    plate.sink(map, {0, 0}, 40, 3);
+    ASSERT_TRUE(plate.add_hole({centre, radius})) << radius;
+    EXPECT_EQ(open_edges(mesh_of(plate, {1e-3, 12'000})->mesh), 0U) << radius;
+  }
+}
+
 TEST(Mesh, HasNearlyAsManyTrianglesAsItMayWhereTheyDoNotSuffice) {
   Plate plate = sunk(noise(129, 6), 64, 0.5);
   Plate holed = Plate::create(64, 64, 0.25, 5).value();
