@@ -22,8 +22,7 @@ double slope_between(double h0, double d0, double h1, double d1) {
 double slope_at_end(double h0, double d0, double h1, double d1) {
   const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (slope * d0 <= 0) return 0;
-  if (d0 * d1 <= 0) return d0 > 0 ? std::min(slope, 3 * d0) : std::max(slope, 3 * d0);
-  return slope;
+  return d0 > 0 ? std::min(slope, 3 * d0) : std::max(slope, 3 * d0);
 }
 
 /// The slopes of one quantity, `Value` of a knot, written to `Slope` of each mark.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../src/brush.h"
+#include "nazori/carving/groove.h"
 #include "nazori/geometry/polyline.h"
 #include "test_strokes.h"
 
@@ -275,6 +276,32 @@ TEST(Trace, TheWallsOfAKickHaveNoDiscs) {
       EXPECT_FALSE(joint.needs_disc) << s;
     }
   }
+}
+
+TEST(Trace, WhereAGrooveNarrowsByMoreThanATwentiethItsTightBendsHaveNoDiscs) {
+  const auto discs = [](double narrows) {
+    const StrokeLine bend = arc(3, 0, 180, 10);
+    Groove groove;
+    double s = 0;
+    for (std::size_t i = 0; i < bend.points.size(); ++i) {
+      if (i > 0) s += geometry::distance(bend.points[i - 1], bend.points[i]);
+      groove.push_back({bend.points[i], 6 - narrows * s, 1});
+    }
+    const std::vector<Joint> joints = joints_of(trace(groove, kSize));
+    return std::count_if(joints.begin(), joints.end(), [](const Joint& joint) { return joint.needs_disc; });
+  };
+  EXPECT_GT(discs(0), 3);
+  EXPECT_GT(discs(0.04), 3);
+  EXPECT_EQ(discs(0.06), 0);
+  EXPECT_GT(discs(-0.06), 3) << "walls that open hold a disc";
+}
+
+TEST(Trace, PointsThatAreAMillionthApartAreOne) {
+  const auto joints = [](double apart) {
+    return joints_of(trace(stroke({{20, 50}, {60, 50}, {60 + apart, 50}}), even_brush(6), kSize)).size();
+  };
+  EXPECT_EQ(joints(0.9e-6), 2U);
+  EXPECT_EQ(joints(1.2e-6), 3U);
 }
 
 TEST(Trace, HasJointsWhereTheBrushChangesAndNoneWhereItDoesNot) {
