@@ -105,7 +105,7 @@ bool is_sound(const SheetMark& mark) {
   if (area.width < mark.cell_mm || area.height < mark.cell_mm) return false;
   for (const MarkedRun& run : mark.runs) {
     const bool practice = mark.layout == Layout::practice;
-    if (practice ? run.characters.size() != 1 : run.rows != 1 || run.characters.empty()) return false;
+    if (run.characters.empty()) return false;
     if (run.across_mm + run.rows * mark.cell_mm > flow.depth() + 0.1) return false;
     if (!practice && static_cast<double>(run.characters.size()) * mark.cell_mm > flow.length() + 0.1)
       return false;
