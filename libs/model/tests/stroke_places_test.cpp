@@ -65,6 +65,23 @@ TEST(StrokeNumbers, TurnFromBehindTheStartByFifteenDegreesToOneSideThenToTheOthe
   expect_place({point(37, 43.4)}, beside(195, 2));
 }
 
+TEST(StrokeNumbers, StandSixteenMillimetresFromTheStartAtMost) {
+  // All around the start the line rises as far as this.
+  const std::array point{RaisedStroke{{{40, 40}}, LineEnd::full}};
+  const auto placed = [&](double rises) {
+    RaisedStrokeSettings settings;
+    settings.start_dots = false;
+    settings.clear_mm = 0.5;
+    settings.line.width_mm = rises / 0.92;
+    return stroke_numbers(point, 80, 80, settings);
+  };
+  const StrokeNumbers far = placed(15.4);
+  ASSERT_EQ(far.numbers.size(), 1U);
+  EXPECT_NEAR(far.numbers[0].lower_left.x, 40 - 16 - 3.75, 1e-9);
+  EXPECT_NEAR(far.numbers[0].lower_left.y, 40 - 3.125, 1e-9);
+  EXPECT_EQ(placed(15.6).without_room, (std::vector<int>{1}));
+}
+
 TEST(StrokeNumbers, StayOnThePageWithTheirClearance) {
   // Each begins 2 mm from an edge, from which it comes.
   for (const PlatePoint way : {PlatePoint{1, 0}, PlatePoint{-1, 0}, PlatePoint{0, 1}, PlatePoint{0, -1}}) {
