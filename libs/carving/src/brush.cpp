@@ -32,8 +32,7 @@ constexpr double kPlainHookShare = 0.25;
 
 /// 1 at 0, level there and at 1, 0 from 1 on.
 double bump(double t) {
-  if (t >= 1) return 0;
-  const double u = 1 - t * t;
+  const double u = std::max(0.0, 1 - t * t);
   return u * u;
 }
 
