@@ -74,13 +74,13 @@ TEST(MillWay, GoesToAndFroBesideTheGuideAndBeyondItsEnds) {
 
 TEST(MillWay, OfSeveralPassesEachIsDeeperByTheSameAndOnlyTheLastIsFine) {
   MillSettings deep = settings();
-  deep.cutter_mm = 4;
+  deep.cutter_mm = 2;
   deep.pass_depth_mm = 1.2;
-  const Plate plate = level(24, 3, everywhere);
-  const MillGuide guide{{{8, 12}, {16, 12}}, 3};
+  const Plate plate = level(12, 3, everywhere);
+  const MillGuide guide{{{5, 6}, {7, 6}}, 3};
   const MillPath path = mill_path(plate, {&guide, 1}, deep).value();
   EXPECT_EQ(path.passes, 3);
-  // 0.8 of the radius of 2 mm between the lines of the first passes: two to each side.
+  // 0.8 of the radius of 1 mm between the lines of the first passes: four to each side.
   std::vector<double> heights;
   std::vector<int> lines;
   for (const MillMove& move : path.moves) {
@@ -93,17 +93,17 @@ TEST(MillWay, OfSeveralPassesEachIsDeeperByTheSameAndOnlyTheLastIsFine) {
   }
   EXPECT_THAT(heights, testing::ElementsAre(testing::DoubleNear(-1.2, 1e-6), testing::DoubleNear(-2.4, 1e-6),
                                             testing::DoubleNear(-3 + kKept_mm, 5e-4)));
-  EXPECT_THAT(lines, testing::ElementsAre(2 * 5, 2 * 5, 2 * 11)) << "both ends of each line";
+  EXPECT_THAT(lines, testing::ElementsAre(2 * 9, 2 * 9, 2 * 11)) << "both ends of each line";
   EXPECT_NEAR(path.deepest_mm, 3 - kKept_mm, 5e-4);
 }
 
 TEST(MillWay, AWholeNumberOfPassesIsNotOneMore) {
-  const MillGuide guide{{{5, 10}, {15, 10}}, 1};
+  const MillGuide guide{{{3, 4}, {5, 4}}, 1};
   for (const auto& [depth, passes] : {std::pair{1.5, 1}, {1.51, 2}, {3.0, 2}, {3.01, 3}}) {
     MillSettings some = settings();
     some.pass_depth_mm = 1.5;
     some.step_over_mm = 3;
-    const Plate plate = level(20, depth, everywhere);
+    const Plate plate = level(8, depth, everywhere);
     EXPECT_EQ(mill_path(plate, {}, some)->passes, passes) << depth;
     some.pass_depth_mm = 1.502;
     EXPECT_EQ(mill_path(plate, {&guide, 1}, some)->passes, passes) << depth;
