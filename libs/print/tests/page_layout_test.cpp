@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "canvas.h"
 #include "nazori/print/worksheet.h"
 #include "page_parts.h"
 
@@ -385,6 +386,19 @@ TEST(PageLayout, AHeaderHasThreeLinesToFillInAndATitle) {
   EXPECT_NEAR(lines[0].x, 198 - 6 - 24, 0.01);
   EXPECT_GT(lines[0].x, lines[1].x + 20);
   EXPECT_GT(lines[1].x, lines[2].x + 46);
+  // Before each line stands its name, in letters of 3.2 mm.
+  Fonts fonts = *Fonts::installed();
+  const auto names = pages[0].all(R"(BT 0\.2 g 0 Tr 1 0 0 1 (\S+) (\S+) (Tm) /F\d 9\.07 Tf)");
+  ASSERT_THAT(names, SizeIs(3));
+  const char32_t* const words[] = {U"Date", U"Class", U"Name"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(names[i].x, lines[i].x - fonts.width(words[i]) * 3.2 - 1, 0.01) << i;
+    EXPECT_NEAR(names[i].y, 16.5, 0.01) << i;
+  }
+  // The number of the page stands at the lower right, in letters of 2.6 mm.
+  const auto number = pages[0].all(R"(BT 0\.3 g 0 Tr 1 0 0 1 (\S+) (\S+) (Tm) /F\d 7\.37 Tf)");
+  ASSERT_THAT(number, SizeIs(1));
+  expect_at(number[0], 198 - fonts.width(U"1") * 2.6, 297 - 12.6);
   const auto title = pages[0].all(R"(BT 0 g 0 Tr 1 0 0 1 (\S+) (\S+) (Tm) /F0 11\.34 Tf)");
   ASSERT_THAT(title, SizeIs(1));
   expect_at(title[0], 12 + 6, 16.5);
