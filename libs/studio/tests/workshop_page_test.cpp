@@ -12,8 +12,7 @@ namespace {
 
 using author::Tool;
 
-QString sentence(const char* text) { return QString::fromUtf8(text); }
-
+using test::sentence;
 using PageOfTheWorkshop = test::WorkshopPageTest;
 
 TEST_F(PageOfTheWorkshop, BeginsWithADrawnTabletAndSaysWhatCanBeDone) {
@@ -37,17 +36,9 @@ TEST_F(PageOfTheWorkshop, BeginsWithADrawnTabletAndSaysWhatCanBeDone) {
   parts_.preferences().left_handed = true;
   page_->enter();
   EXPECT_EQ(row->direction(), QBoxLayout::RightToLeft);
-  QList<QAction*> tools;
-  QList<bool> words;
-  for (const auto& tool : page_->tools()) {
-    tools.append(tool.action);
-    words.append(tool.words);
-  }
-  const auto& a = actions();
-  EXPECT_EQ(tools, (QList<QAction*>{a.tools[0], a.tools[1], a.tools[2], a.tools[3], nullptr, a.undo, a.redo,
-                                    a.remove, nullptr, a.check, nullptr, a.panel}));
-  EXPECT_EQ(words,
-            (QList<bool>{true, true, true, true, false, true, true, false, false, true, false, false}));
+  EXPECT_EQ(test::tools_of(*page_),
+            sentence("workshop_draw* workshop_place* workshop_edit* workshop_groove* - workshop_undo* "
+                     "workshop_redo* workshop_remove - workshop_check* - workshop_panel"));
 }
 
 TEST_F(PageOfTheWorkshop, EachToolIsTakenByItsActionAndKept) {
@@ -233,11 +224,7 @@ TEST_F(PageOfTheWorkshop, KeepsItsToolsForTheNextTime) {
        {a.tools[4], a.straight, a.mirrored, a.wider, a.shallower, a.next_stamp, a.ending, a.strokes, a.panel})
     action->trigger();
   const auto held = bench().settings();
-  {
-    QSettings stored(parts_.settings_file(), QSettings::IniFormat);
-    stored.beginGroup(page_->id());
-    page_->save(stored);
-  }
+  keep_settings(*page_);
   open_page();
   EXPECT_EQ(bench().settings(), held);
   EXPECT_EQ(held.tool, Tool::raise);

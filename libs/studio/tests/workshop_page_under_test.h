@@ -3,39 +3,22 @@
 
 #include <gtest/gtest.h>
 
-#include <QSettings>
-#include <QTemporaryDir>
 #include <QTest>
-#include <filesystem>
 #include <memory>
-#include <optional>
-#include <utility>
 #include <vector>
 
-#include "in_english.h"
 #include "nazori/studio/workshop/character_canvas.h"
 #include "nazori/studio/workshop/workshop_actions.h"
 #include "nazori/studio/workshop/workshop_page.h"
 #include "nazori/studio/workshop/workshop_panel.h"
-#include "nazori/widgets/page/window_parts.h"
-#include "print_qt.h"
+#include "page_under_test.h"
 
 namespace nazori::ui::test {
 
-/// The page of the workshop in a window that has nothing else, with what it says.
-class WorkshopPageTest : public testing::Test {
+/// The page of the workshop.
+class WorkshopPageTest : public PageTest {
  protected:
-  WorkshopPageTest() {
-    speak_english();
-    const auto note = [this](Feedback kind, const QString& sentence) {
-      kind_ = kind;
-      said_.append(sentence);
-    };
-    QObject::connect(&parts_, &WindowParts::announced, &window_, note);
-    QObject::connect(&parts_, &WindowParts::respond, &window_, note);
-    QObject::connect(&parts_, &WindowParts::save_later, &window_, [this] { ++saves_; });
-    open_page();
-  }
+  WorkshopPageTest() { open_page(); }
   void open_page() {
     page_.reset();
     page_ = std::make_unique<WorkshopPage>(parts_);
@@ -76,27 +59,15 @@ class WorkshopPageTest : public testing::Test {
   QString by(QAction* action) {
     said_.clear();
     action->trigger();
-    return said_.join(QLatin1Char('|'));
+    return all_said();
   }
   /// Waits for files, and for what is said of them.
   QString said_of_files() {
     EXPECT_TRUE(QTest::qWaitFor([this] { return !page_->is_busy_with_files() && !said_.isEmpty(); }, 20'000));
-    return said_.join(QLatin1Char('|'));
+    return all_said();
   }
-  [[nodiscard]] QString file(const char* name) const { return folder_.filePath(QString::fromUtf8(name)); }
 
-  QTemporaryDir folder_;
-  QWidget window_;
-  WindowParts parts_{
-      window_,
-      file("nazori.ini"),
-      {file("learners").toStdString(),
-       {std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db", file("own").toStdString()},
-       {}}};
   std::unique_ptr<WorkshopPage> page_;
-  Feedback kind_ = Feedback::hint;
-  QStringList said_;
-  int saves_ = 0;
   double time_s_ = 1;
 };
 
