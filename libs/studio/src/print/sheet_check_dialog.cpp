@@ -153,7 +153,9 @@ void SheetCheckDialog::ask_and_save() {
   dialog.setNameFilter(tr("Picture (*.png)"));
   dialog.setDefaultSuffix(QStringLiteral("png"));
   dialog.setDirectory(parts_.preferences().start_folder());
-  dialog.selectFile(tr("%1 checked").arg(QFileInfo(photos_->currentText()).completeBaseName()));
+  // With its ending: what follows another full stop would be taken for one.
+  dialog.selectFile(tr("%1 checked").arg(QFileInfo(photos_->currentText()).completeBaseName()) +
+                    QStringLiteral(".png"));
   if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty())
     save(dialog.selectedFiles().front());
 }
