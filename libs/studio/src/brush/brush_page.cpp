@@ -26,19 +26,12 @@ constexpr int kFrame_ms = 16;
 constexpr double kAlmostDry = 0.12;
 constexpr std::array<std::string_view, 3> kPlaces{"none", "beneath", "beside"};
 
-/// The next of several values, after the last one the first.
-template <class Values, class Value>
-Value after(const Values& values, const Value& value) {
-  auto at = std::find(std::begin(values), std::end(values), value);
-  if (at == std::end(values) || ++at == std::end(values)) at = std::begin(values);
-  return Value(*at);
-}
-
 }  // namespace
 
-BrushPage::BrushPage(WindowParts& parts)
+BrushPage::BrushPage(WindowParts& parts, int cells)
     : Page(parts,
            {QStringLiteral("brush"), tr("&Brush"), tr("Write with brush and ink on paper"), Icon::brush, {}}),
+      cells_(cells),
       actions_(new BrushActions(&parts.window())),
       widget_(named(new QWidget(&parts.window()), "brush_page")),
       paper_(new PaperView(widget_)),
@@ -180,7 +173,7 @@ void BrushPage::leave() {
 void BrushPage::refresh_appearance() { paper_->refresh_appearance(); }
 
 void BrushPage::start_writing() {
-  writing_ = std::make_unique<calligraphy::BrushWriting>(inbox_.inbox(), choice_.paper);
+  writing_ = std::make_unique<calligraphy::BrushWriting>(inbox_.inbox(), choice_.paper, cells_);
   paper_->set_picture_side(writing_->size());
   subscribe(writing_->drawn, this, [this](const calligraphy::BrushFrame& frame) { show_frame(frame); });
   subscribe(writing_->done, this, [this](const calligraphy::Outcome& outcome) { show_outcome(outcome); });

@@ -28,7 +28,8 @@ class KeyWriting;
 class BrushPage final : public Page {
   Q_OBJECT
  public:
-  explicit BrushPage(WindowParts& parts);
+  /// @param cells  of the sheet, a side, as for paint::Sheet::create().
+  explicit BrushPage(WindowParts& parts, int cells = paint::Sheet::kLargest);
   ~BrushPage() override;
 
   [[nodiscard]] QString title() const override;
@@ -141,6 +142,7 @@ class BrushPage final : public Page {
   void ask_and_write(const QString& suffix);
   void show_tablet(const calligraphy::Outcome& outcome);
 
+  int cells_;
   BrushActions* actions_;
   QWidget* widget_;
   PaperView* paper_;
