@@ -285,6 +285,18 @@ TEST_F(PaintedCanvas, TheReliefIsWoodThatIsDarkerInTheDepth) {
   near(80, QColor(173, 152, 121));
 }
 
+TEST_F(PaintedCanvas, InTheDarkTheTabletIsDimmedAndItsNumbersAreWrittenInInk) {
+  place(20, 80, 40);
+  show_relief([](int /*column*/, int /*row*/) { return 1.0F; });
+  canvas_.setPalette(make_palette(dark_colours()));
+  // Black with 70 of 255 over the wood.
+  const double left = 1 - 70 / 255.0;
+  EXPECT_NEAR(colour_at(30, 80).red(), 214 * left, 3);
+  EXPECT_NEAR(colour_at(30, 80).blue(), 150 * left, 3);
+  const Drawing all = drawn_by(canvas_);
+  EXPECT_EQ(all.words(words("1")).pen.color(), c_.ink) << "of the window, not of the stroke";
+}
+
 TEST_F(PaintedCanvas, ASlopeIsDarkOrBrightByTheWayItFaces) {
   const auto shade = [&](float right, float down) {
     show_relief([=](int column, int row) {

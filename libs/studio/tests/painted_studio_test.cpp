@@ -180,18 +180,22 @@ TEST_F(PaintedStudio, APageIsAsLargeAsThereIsRoomWithTheMarksOfTheDocument) {
   line.width_mm = 2;
   line.grey = 0.5;
   line.dash_mm = 6;
+  print::PageMark bow;
+  bow.path = {{Step::Kind::move, {{{10, 60}}}}, {Step::Kind::curve, {{{10, 90}, {70, 90}, {70, 60}}}}};
+  bow.width_mm = 1;
+  bow.round = true;
   print::PageMark area;
   area.filled = true;
   area.path = {{Step::Kind::move, {{{10, 30}}}},
                {Step::Kind::line, {{{40, 30}}}},
                {Step::Kind::line, {{{40, 50}}}},
                {Step::Kind::close, {}}};
-  page->marks = {line, area};
+  page->marks = {line, area, bow};
   view.show_page(page, words("Page 1"));
   EXPECT_EQ(view.accessibleDescription(), words("Page 1"));
   EXPECT_EQ(view.paper(), QRectF(12, 62, 200, 300));
   const Drawing all = drawn_by(view);
-  ASSERT_EQ(all.all.size(), 4U);
+  ASSERT_EQ(all.all.size(), 5U);
   EXPECT_EQ(in_words(all.all[0]).section(u',', 0, 0), words("box 12 62 200 300"));
   EXPECT_EQ(all.all[0].fill.color(), QColor(Qt::white));
   EXPECT_EQ(in_words(all.all[1]).section(u',', 0, 0), words("line 32 102 132 102"));
@@ -202,8 +206,16 @@ TEST_F(PaintedStudio, APageIsAsLargeAsThereIsRoomWithTheMarksOfTheDocument) {
   EXPECT_NEAR(all.all[2].box.left(), 32, 0.01);
   EXPECT_NEAR(all.all[2].box.height(), 40, 0.01);
   EXPECT_EQ(all.all[2].fill.color(), QColor(Qt::black));
-  EXPECT_EQ(in_words(all.all[3]),
-            box_words({11.5, 61.5, 201, 301}, 0, words("edge 1"), all.all[3].fill_words()));
+  // A curve with two control points reaches three quarters of the way to them.
+  EXPECT_NEAR(all.all[3].box.left(), 32, 0.01);
+  EXPECT_NEAR(all.all[3].box.width(), 120, 0.01);
+  EXPECT_NEAR(all.all[3].box.top(), 62 + 120, 0.01);
+  EXPECT_NEAR(all.all[3].box.bottom(), 62 + 165, 0.5);
+  EXPECT_EQ(all.all[3].pen.capStyle(), Qt::RoundCap);
+  EXPECT_EQ(all.all[3].pen.joinStyle(), Qt::RoundJoin);
+  EXPECT_EQ(all.all[3].pen.style(), Qt::SolidLine);
+  EXPECT_EQ(in_words(all.all[4]),
+            box_words({11.5, 61.5, 201, 301}, 0, words("edge 1"), all.all[4].fill_words()));
   give_keyboard(view);
   EXPECT_EQ(in_words(drawn_by(view).all.back()),
             box_words({1, 1, 222, 422}, 4, words("indigo 2"), words("none")));
@@ -275,6 +287,28 @@ TEST_F(PaintedStudio, AReliefIsAsLargeAsThereIsRoom) {
   EXPECT_EQ(seen.pixelColor(108, 58).red(), 128);
   view.clear();
   EXPECT_TRUE(drawn_by(view).all.empty());
+}
+
+TEST_F(PaintedStudio, InTheDarkPaperAndPlatesAreDimmed) {
+  QApplication::setPalette(make_palette(dark_colours()));
+  PageView page;
+  page.resize(224, 424);
+  auto drawing = std::make_shared<print::PageDrawing>();
+  drawing->width_mm = 100;
+  drawing->height_mm = 150;
+  page.show_page(drawing, {});
+  ASSERT_EQ(drawn_by(page).all.size(), 2U);
+  EXPECT_EQ(drawn_by(page).all[0].fill.color(), blend(Qt::white, Qt::black, 0.18));
+  EXPECT_EQ(drawn_by(page).all[1].pen.color(), dark_colours().edge);
+  ReliefView relief;
+  relief.resize(216, 116);
+  relief.show_picture({20, 20, std::vector<std::uint8_t>(400, 128)}, {});
+  const auto boxes = drawn_by(relief).boxes();
+  ASSERT_EQ(boxes.size(), 2U);
+  EXPECT_EQ(boxes[0].box, QRectF(58, 8, 100, 100));
+  EXPECT_EQ(boxes[0].fill.color(), QColor::fromRgbF(0, 0, 0, 0.25F));
+  EXPECT_EQ(boxes[1].pen.color(), dark_colours().edge);
+  QApplication::setPalette(make_palette(light_colours()));
 }
 
 }  // namespace

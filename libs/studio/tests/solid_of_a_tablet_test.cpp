@@ -1,83 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // The dialog for a model to touch by itself, with one tablet.
-#include <gtest/gtest.h>
-
-#include <QApplication>
 #include <QBoxLayout>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFontInfo>
 #include <QFormLayout>
-#include <QLabel>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSettings>
-#include <QSpinBox>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
-#include <filesystem>
 
-#include "in_english.h"
-#include "nazori/studio/print/relief_view.h"
-#include "nazori/studio/print/solid_dialog.h"
-#include "nazori/widgets/page/window_parts.h"
-#include "print_qt.h"
+#include "solid_under_test.h"
 #include "two_sides.h"
 
 namespace nazori::ui {
 namespace {
 
-class SolidOfATablet : public testing::Test {
+class SolidOfATablet : public test::SolidDialogTest {
  protected:
-  SolidOfATablet() {
-    test::speak_english();
-    window_.resize(1200, 900);
-    QObject::connect(&parts_, &WindowParts::announced, &window_,
-                     [this](Feedback, const QString& sentence) { said_.append(sentence); });
-  }
   void open(const char* name = "一") {
     practice::LabelledTablet one;
     one.tablet.strokes.resize(1);
     one.tablet.strokes[0].points = {{20, 54.5}, {89, 54.5}};
-    dialog_ =
-        std::make_unique<SolidDialog>(parts_, SolidSubject{QString::fromUtf8(name), {one}, {}}, &window_);
+    SolidDialogTest::open({QString::fromUtf8(name), {one}, {}});
   }
-  template <class T>
-  T& part(const char* name) {
-    return *dialog_->findChild<T*>(QString::fromLatin1(name));
-  }
-  QString words() { return part<QLabel>("solid_words").text(); }
-  void wait_for_model() {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return part<QPushButton>("solid_save").isEnabled(); }, 20'000));
-  }
-  /// The kinds of files that are offered, and what the dialog proposes.
-  std::pair<QStringList, QString> offered() {
-    std::pair<QStringList, QString> found;
-    QTimer::singleShot(0, &window_, [&found] {
-      auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(files, nullptr);
-      found.first = files->nameFilters();
-      EXPECT_EQ(files->defaultSuffix(), QStringLiteral("3mf"));
-      emit files->filterSelected(found.first.back());
-      found.first.append(files->defaultSuffix());
-      found.second = QFileInfo(files->selectedFiles().value(0)).fileName();
-      static_cast<QDialog*>(files)->reject();
-    });
-    part<QPushButton>("solid_save").click();
-    return found;
-  }
-  [[nodiscard]] QString file(const char* name) const { return folder_.filePath(QString::fromUtf8(name)); }
-
-  QTemporaryDir folder_;
-  QWidget window_;
-  WindowParts parts_{
-      window_, file("nazori.ini"), {file("learners").toStdString(), std::filesystem::path(), {}}};
-  std::unique_ptr<SolidDialog> dialog_;
-  QStringList said_;
 };
 
 TEST_F(SolidOfATablet, BeginsAsModelsAreUsuallyMadeWithRoomAroundItsOptions) {
@@ -160,14 +102,13 @@ TEST_F(SolidOfATablet, IsSavedWithTheChoiceForTheNextOne) {
   part<QSpinBox>("solid_size").setValue(60);
   for (const char* name : {"solid_numbers", "solid_hole"}) part<QCheckBox>(name).setChecked(false);
   wait_for_model();
-  int focused = 0;
-  QObject::connect(&parts_, &WindowParts::focus_tablet, &window_, [&focused] { ++focused; });
+  const int before = focused_;
   dialog_->save(file("none/a.stl"));
   ASSERT_TRUE(QTest::qWaitFor([this] { return words().startsWith(QStringLiteral("✗ ")); }, 20'000));
   EXPECT_TRUE(words().startsWith(QStringLiteral("✗ a.stl: "))) << words().toStdString();
   EXPECT_TRUE(words().endsWith(QStringLiteral(". Nothing was saved.")));
   EXPECT_TRUE(part<QPushButton>("solid_save").isEnabled());
-  EXPECT_EQ(focused, 0);
+  EXPECT_EQ(focused_, before);
   for (const char* name : {"a.stl", "a.nc"}) {
     said_.clear();
     dialog_->show();
@@ -177,7 +118,7 @@ TEST_F(SolidOfATablet, IsSavedWithTheChoiceForTheNextOne) {
     EXPECT_TRUE(QFileInfo::exists(file(name)));
     EXPECT_EQ(dialog_->result(), QDialog::Accepted);
   }
-  EXPECT_EQ(focused, 2);
+  EXPECT_EQ(focused_, before + 2);
   open();
   EXPECT_EQ(part<QComboBox>("solid_kind").currentIndex(), 1);
   EXPECT_EQ(part<QSpinBox>("solid_size").value(), 60);

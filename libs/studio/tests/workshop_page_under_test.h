@@ -61,9 +61,14 @@ class WorkshopPageTest : public PageTest {
     action->trigger();
     return all_said();
   }
-  /// Waits for files, and for what is said of them.
+  /// Waits for files, and for what is said of them. That a slow disk takes its time is left out.
   QString said_of_files() {
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !page_->is_busy_with_files() && !said_.isEmpty(); }, 20'000));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [this] {
+          said_.removeIf([](const QString& one) { return one.endsWith(QChar(0x2026)); });
+          return !page_->is_busy_with_files() && !said_.isEmpty();
+        },
+        20'000));
     return all_said();
   }
 
