@@ -63,7 +63,8 @@ float aligned(const Directions& d, const Directions& m) {
       diagonal = above;
     }
   }
-  return row[kSteps] / static_cast<float>(kSteps);
+  // The same directions can give a little less than 0.
+  return std::max(row[kSteps], 0.0F) / static_cast<float>(kSteps);
 }
 
 }  // namespace

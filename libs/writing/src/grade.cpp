@@ -15,6 +15,7 @@
 #include "placement.h"
 #include "probability.h"
 #include "standing_out.h"
+#include "strangeness.h"
 #include "stroke_order_mistakes.h"
 
 namespace nazori::writing {
@@ -52,16 +53,6 @@ constexpr double kCertainly = 0.5;
 /// Share of the limit that counts for forms other than the one that was asked for.
 constexpr double kOtherForm = 0.45;
 const std::vector<kanji::AlternativeOrder> no_orders;
-
-/// How much of the limit a stroke may use, from the roughness of the `count` others (square roots of their
-/// deviations, summed): in careful writing a stroke that is off is wrong; in hasty writing all are a little
-/// off.
-double allowance(double roughness, std::size_t count) {
-  constexpr double kUsual = 0.095;
-  constexpr double kUsualCount = 9.3;
-  const double mean = (roughness + kUsualCount * kUsual) / (static_cast<double>(count) + kUsualCount);
-  return std::clamp(0.525 + 2.4 * mean, 0.5, 1.5);
-}
 
 int points_of(const ScoreParts& p) {
   return static_cast<int>(std::lround(kPointsForStrokes * p.strokes + kPointsForOrder * p.order +
@@ -103,25 +94,13 @@ class Judge {
 
  private:
   void judge_strokes() {
-    const auto places = placements(alignment_, form_.shapes);
-    std::vector<Judgement> judgements;
-    double roughness = 0;
+    const auto strokes = judged_strokes(alignment_, drawn_, form_);
+    const auto strange = strangeness(strokes, form_.shapes.size());
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
       const auto& link = alignment_.links[k];
-      const auto& model = form_.shapes[static_cast<std::size_t>(link.model)];
-      const auto laid = transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map);
-      judgements.push_back(judge_stroke(laid, model, form_.other_ways[static_cast<std::size_t>(link.model)],
-                                        link.difference, places[k]));
-      roughness += std::sqrt(std::min(judgements.back().deviation, 1.0));
-    }
-    for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
-      const auto& link = alignment_.links[k];
-      const auto& judged = judgements[k];
-      const double allowed =
-          allowance(roughness - std::sqrt(std::min(judged.deviation, 1.0)), judgements.size() - 1);
-      const double limit = limit_ * allowed;
-      strangest_ = std::max(
-          strangest_, judged.deviation / allowed / (link.difference.reversed ? kCertainly : 1) / share_);
+      const auto& judged = strokes[k].judgement;
+      const double of_limit = strange[k] / (link.difference.reversed ? kCertainly : 1);
+      strangest_ = std::max(strangest_, of_limit / share_);
       auto& verdict = grade_.strokes[static_cast<std::size_t>(link.drawn)];
       describe(link, judged, verdict);
       if (link.drawn_count == 2) {
@@ -130,7 +109,7 @@ class Judge {
         add({kanji::MistakeKind::split, link.drawn, link.drawn + 1, {link.model}});
       } else if (link.model_count == 2) {
         add({kanji::MistakeKind::joined, link.drawn, {}, {link.model, link.model + 1}});
-      } else if (judged.deviation > (link.difference.reversed ? kCertainly * limit : limit)) {
+      } else if (of_limit > limit_) {
         auto most = judged.most;
         if (most == Deviation::shape && std::abs(verdict.angle_rad) > std::numbers::pi / 5)
           most = Deviation::direction;

@@ -5,6 +5,30 @@
 #include <cmath>
 
 namespace nazori::writing {
+namespace {
+
+Samples backwards(const Samples& forwards) {
+  auto samples = forwards;
+  std::reverse(samples.x.begin(), samples.x.end());
+  std::reverse(samples.y.begin(), samples.y.end());
+  return samples;
+}
+
+/// Turned about the centre, clockwise.
+Samples turned(const Samples& straight, float angle_rad) {
+  auto samples = straight;
+  const float c = std::cos(angle_rad);
+  const float s = std::sin(angle_rad);
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const float x = samples.x[k] - samples.centre_x;
+    const float y = samples.y[k] - samples.centre_y;
+    samples.x[k] = samples.centre_x + c * x - s * y;
+    samples.y[k] = samples.centre_y + s * x + c * y;
+  }
+  return samples;
+}
+
+}  // namespace
 
 // The weights, rounded, separate strokes of real writing best from wrong strokes in their places;
 // docs/writing.md names the data and the figures.
@@ -74,28 +98,38 @@ bool ignore_slant(const Samples& model, Residue& residue, StrokeDifference& diff
   return true;
 }
 
-Judgement judge_stroke(const Shape& laid, const Shape& model, std::span<const Shape> other_ways,
-                       const StrokeDifference& difference, const Placement& placement) {
+JudgedStroke judge_stroke(const Shape& laid, const Shape& model, std::span<const Shape> other_ways,
+                          const StrokeDifference& difference, const Placement& placement) {
   constexpr double kUsedFreedom = 0.5;
-  auto left = residue(laid, model, difference, placement);
-  auto way = course(laid.whole, model.whole, difference.reversed);
-  auto best = judge(difference, placement, left, way, model.touch);
-  const auto take = [&best](const Judgement& other) {
-    if (other.deviation < best.deviation) best = other;
+  const auto drawn = difference.reversed ? backwards(laid.whole) : laid.whole;
+  const auto beside = [&](const Shape& way, const StrokeDifference& d, const Placement& p) {
+    JudgedStroke j{{},    d,        p, residue(laid, way, d, p), course(laid.whole, way.whole, d.reversed),
+                   drawn, way.whole};
+    j.judgement = judge(j.difference, j.placement, j.residue, j.course, way.touch);
+    return j;
   };
-  if (auto free = difference; model.free_slant && ignore_slant(model.whole, left, free, way)) {
-    auto freed = judge(free, placement, left, way, model.touch);
-    freed.deviation += kUsedFreedom;
-    take(freed);
+  auto best = beside(model, difference, placement);
+  const auto take = [&best](const JudgedStroke& other) {
+    if (other.judgement.deviation + other.used_freedom < best.judgement.deviation + best.used_freedom)
+      best = other;
+  };
+  if (auto free = best; model.free_slant) {
+    const float turn = free.residue.turn_rad;
+    if (ignore_slant(model.whole, free.residue, free.difference, free.course)) {
+      free.drawn = turned(free.drawn, -turn);
+      free.judgement = judge(free.difference, free.placement, free.residue, free.course, model.touch);
+      free.used_freedom = kUsedFreedom;
+      take(free);
+    }
   }
   for (const auto& other : other_ways) {
     constexpr float kAnyDistance = 1e9F;
     const auto d = compare(laid, other, kAnyDistance);
     if (d.reversed != difference.reversed) continue;
-    const Placement p{placement.x + d.offset_x - difference.offset_x,
-                      placement.y + d.offset_y - difference.offset_y,
-                      placement.length_log + d.length_log - difference.length_log};
-    take(judge(d, p, residue(laid, other, d, p), course(laid.whole, other.whole, d.reversed), other.touch));
+    take(beside(
+        other, d,
+        {placement.x + d.offset_x - difference.offset_x, placement.y + d.offset_y - difference.offset_y,
+         placement.length_log + d.length_log - difference.length_log}));
   }
   return best;
 }

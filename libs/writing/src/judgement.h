@@ -30,11 +30,24 @@ struct Judgement {
 [[nodiscard]] bool ignore_slant(const Samples& model, Residue& residue, StrokeDifference& difference,
                                 Course& course);
 
+/// A drawn stroke beside the model's stroke that it is judged by, or another way to write that.
+struct JudgedStroke {
+  Judgement judgement;
+  StrokeDifference difference;
+  Placement placement;
+  Residue residue;
+  Course course;
+  Samples drawn;  ///< laid over the model, in its direction; without a slant that is free
+  Samples model;
+  double used_freedom = 0;  ///< share of the limit that a slant costs although it is free
+};
+
 /// Judges a drawn stroke, laid over the model, against the model's stroke, and against other ways to write
 /// it: the best counts. A slant that is free costs a little: a strange stroke uses that freedom more often
-/// than a right one.
-[[nodiscard]] Judgement judge_stroke(const Shape& laid, const Shape& model, std::span<const Shape> other_ways,
-                                     const StrokeDifference& difference, const Placement& placement);
+/// than a right one. Its cost is not in the deviation.
+[[nodiscard]] JudgedStroke judge_stroke(const Shape& laid, const Shape& model,
+                                        std::span<const Shape> other_ways, const StrokeDifference& difference,
+                                        const Placement& placement);
 
 /// The largest deviation that is accepted: 1 at normal strictness. @pre strictness 0..1.
 [[nodiscard]] double deviation_limit(double strictness);

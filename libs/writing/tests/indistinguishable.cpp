@@ -14,10 +14,8 @@ namespace {
 // clang-format off
 // Few strokes, and this one determines the proportions of the whole: it looks the same as flat writing.
 constexpr Spoilt kProportions[] = {
-    {U'T', 2}, {U'i', 1}, {U'j', 1}, {U'r', 1}, {U'了', 2}, {U'冖', 2}, {U'厂', 2},
+    {U'T', 2}, {U'i', 1}, {U'了', 2},
 };
-// The dot of a kana without the turn at its end is so short that it may be a touch.
-constexpr Spoilt kDotsWithATurn[] = {{U'や', 2}};
 // A comma is so small that its tail shows no direction.
 constexpr Spoilt kSpecks[] = {{U',', 1}, {U';', 2}};
 // clang-format on
@@ -43,11 +41,7 @@ bool shorter_in_a_variant(const kanji::KanjiDatabase& database, const kanji::Cha
 
 }  // namespace
 
-std::vector<Spoilt> listed_as_shortened() {
-  std::vector<Spoilt> all(std::begin(kProportions), std::end(kProportions));
-  all.insert(all.end(), std::begin(kDotsWithATurn), std::end(kDotsWithATurn));
-  return all;
-}
+std::vector<Spoilt> listed_as_shortened() { return {std::begin(kProportions), std::end(kProportions)}; }
 
 bool indistinguishable_reversed(const kanji::Character& character, std::size_t k) {
   return listed(kSpecks, character.code_point, k);
@@ -81,8 +75,7 @@ bool indistinguishable_shortened(const kanji::KanjiDatabase& database, const kan
   if (character.strokes[k].type.starts_with("㇔") && length_of(character.strokes[k]) < kLongDot) return true;
   // The source has a form whose stroke is that much shorter: the inner bars of 日 that do not reach the
   // right.
-  return shorter_in_a_variant(database, character, k) || listed(kProportions, character.code_point, k) ||
-         listed(kDotsWithATurn, character.code_point, k);
+  return shorter_in_a_variant(database, character, k) || listed(kProportions, character.code_point, k);
 }
 
 }  // namespace nazori::writing::test

@@ -91,12 +91,12 @@ TEST(JudgedStroke, TakesTheBestOfItsWays) {
   constexpr float kFar = 1e9F;
   const auto d = compare(plain, hooked, kFar);
   const Placement here{d.offset_x, d.offset_y, d.length_log};
-  const double alone = judge_stroke(plain, hooked, {}, d, here).deviation;
+  const double alone = judge_stroke(plain, hooked, {}, d, here).judgement.deviation;
   EXPECT_GT(alone, 0.1);
-  EXPECT_NEAR(judge_stroke(plain, hooked, std::array{plain}, d, here).deviation, 0, 1e-4);
-  EXPECT_NEAR(judge_stroke(plain, hooked, std::array{upright, plain}, d, here).deviation, 0, 1e-4);
-  EXPECT_NEAR(judge_stroke(plain, hooked, std::array{plain, upright}, d, here).deviation, 0, 1e-4);
-  EXPECT_EQ(judge_stroke(plain, hooked, std::array{upright}, d, here).deviation, alone);
+  EXPECT_NEAR(judge_stroke(plain, hooked, std::array{plain}, d, here).judgement.deviation, 0, 1e-4);
+  EXPECT_NEAR(judge_stroke(plain, hooked, std::array{upright, plain}, d, here).judgement.deviation, 0, 1e-4);
+  EXPECT_NEAR(judge_stroke(plain, hooked, std::array{plain, upright}, d, here).judgement.deviation, 0, 1e-4);
+  EXPECT_EQ(judge_stroke(plain, hooked, std::array{upright}, d, here).judgement.deviation, alone);
 }
 
 TEST(JudgedStroke, IsComparedWithAnotherWayAsIfThatWereTheModel) {
@@ -111,8 +111,9 @@ TEST(JudgedStroke, IsComparedWithAnotherWayAsIfThatWereTheModel) {
   const auto beside = [](const StrokeDifference& d) {
     return Placement{d.offset_x, d.offset_y, d.length_log};
   };
-  EXPECT_NEAR(judge_stroke(short_one, hooked, std::array{plain}, of_model, beside(of_model)).deviation,
-              judge_stroke(short_one, plain, {}, of_way, beside(of_way)).deviation, 1e-5);
+  EXPECT_NEAR(
+      judge_stroke(short_one, hooked, std::array{plain}, of_model, beside(of_model)).judgement.deviation,
+      judge_stroke(short_one, plain, {}, of_way, beside(of_way)).judgement.deviation, 1e-5);
 }
 
 TEST(JudgedStroke, AWayInTheOtherDirectionIsNotTaken) {
@@ -121,9 +122,9 @@ TEST(JudgedStroke, AWayInTheOtherDirectionIsNotTaken) {
   constexpr float kFar = 1e9F;
   auto d = compare(plain, hooked, kFar);
   d.reversed = true;
-  const double alone = judge_stroke(plain, hooked, {}, d, {}).deviation;
+  const double alone = judge_stroke(plain, hooked, {}, d, {}).judgement.deviation;
   EXPECT_GT(alone, 1);
-  EXPECT_EQ(judge_stroke(plain, hooked, std::array{plain}, d, {}).deviation, alone);
+  EXPECT_EQ(judge_stroke(plain, hooked, std::array{plain}, d, {}).judgement.deviation, alone);
 }
 
 TEST(JudgedStroke, TheUseOfAFreeSlantCostsHalfTheLimit) {
@@ -131,15 +132,16 @@ TEST(JudgedStroke, TheUseOfAFreeSlantCostsHalfTheLimit) {
   const auto upright = shape_of({47, 47}, {8, 26});
   constexpr float kFar = 1e9F;
   const auto d = compare(upright, dot, kFar);
-  const double strange = judge_stroke(upright, dot, {}, d, {}).deviation;
+  const auto strange = judge_stroke(upright, dot, {}, d, {});
+  EXPECT_EQ(strange.used_freedom, 0);
   dot.free_slant = true;
-  const double free = judge_stroke(upright, dot, {}, d, {}).deviation;
-  EXPECT_GT(strange, free);
-  EXPECT_GT(free, 0.5);
-  EXPECT_LT(free, 0.75);
-  const auto own = compare(dot, dot, kFar);
-  EXPECT_NEAR(judge_stroke(dot, dot, {}, own, {}).deviation, 0, 1e-4)
-      << "a freedom that is not used costs nothing";
+  const auto free = judge_stroke(upright, dot, {}, d, {});
+  EXPECT_EQ(free.used_freedom, 0.5);
+  EXPECT_LT(free.judgement.deviation, 0.25);
+  EXPECT_GT(strange.judgement.deviation, 0.5 + free.judgement.deviation);
+  const auto own = judge_stroke(dot, dot, {}, compare(dot, dot, kFar), {});
+  EXPECT_EQ(own.used_freedom, 0) << "a freedom that is not used costs nothing";
+  EXPECT_NEAR(own.judgement.deviation, 0, 1e-4);
 }
 
 }  // namespace

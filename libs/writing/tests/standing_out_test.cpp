@@ -61,8 +61,8 @@ TEST(StandingOut, TheModelItselfHasNothingToTell) {
     EXPECT_EQ(told(graded(trace(c), model_of(c))), Told{}) << static_cast<int>(c.code_point);
 }
 
-TEST(StandingOut, ABarTwiceAsLongIsToldAndLowersTheForm) {
-  const auto g = rest_with(2, 2);
+TEST(StandingOut, ABarThatIsMuchTooLongIsToldAndLowersTheForm) {
+  const auto g = rest_with(2, 1.75);
   EXPECT_TRUE(g.accepted);
   ASSERT_EQ(told(g), (Told{{2, Deviation::length}}));
   ASSERT_TRUE(g.form);
@@ -72,7 +72,7 @@ TEST(StandingOut, ABarTwiceAsLongIsToldAndLowersTheForm) {
 }
 
 TEST(StandingOut, ABarHalfAsLongIsToldAsTooShort) {
-  const auto g = rest_with(2, 0.42);
+  const auto g = rest_with(2, 0.44);
   ASSERT_EQ(told(g), (Told{{2, Deviation::length}}));
   EXPECT_EQ(explain(g.advice.front(), g, Language::english), "Stroke 3 is too short.");
 }
@@ -98,10 +98,12 @@ TEST(StandingOut, ATurnedStrokeIsToldByItsSlant) {
 }
 
 TEST(StandingOut, AMovedStrokeIsToldByItsPlace) {
-  const auto g = rest_with(2, 1, 0, 0, -24, kLenient);
+  auto ink = trace(three());
+  ink.strokes[0] = spoiled(ink.strokes[0], 1, 0, 0, -20);
+  const auto g = graded(ink, model_of(three()));
   ASSERT_TRUE(g.accepted);
-  ASSERT_EQ(told(g), (Told{{2, Deviation::place}}));
-  EXPECT_EQ(explain(g.advice.front(), g, Language::english), "Stroke 3 is too high.");
+  ASSERT_EQ(told(g), (Told{{0, Deviation::place}}));
+  EXPECT_EQ(explain(g.advice.front(), g, Language::english), "Stroke 1 is too high.");
 }
 
 TEST(StandingOut, NothingIsToldOfAStrokeThatOnlyLeansOnTheNaturalLimits) {
@@ -169,7 +171,7 @@ TEST(StandingOut, IsNotToldWhileTheCharacterIsBeingWritten) {
 
 TEST(StandingOut, LiveJudgingTellsItAtTheEnd) {
   auto ink = trace(rest());
-  ink.strokes[2] = spoiled(ink.strokes[2], 2);
+  ink.strokes[2] = spoiled(ink.strokes[2], 1.75);
   const auto g = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(g);
   EXPECT_EQ(told(*g), (Told{{2, Deviation::length}}));
