@@ -26,17 +26,23 @@ class DecisionTrees {
   /// The answers of all trees together. @pre as many numbers as read() was told. Any thread.
   [[nodiscard]] float answer(std::span<const float> features) const;
 
-  [[nodiscard]] std::size_t count() const { return roots_.size(); }
+  [[nodiscard]] std::size_t count() const { return trees_.size(); }
 
  private:
   struct Node {
+    float limit = 0;
+    std::uint16_t right = 0;  // steps to the right child; 0 in an answer, which leads to itself
+    std::uint8_t left = 0;    // the same
     std::uint8_t feature = 0;
-    std::uint16_t right = 0;  // from this node
-    float value = 0;
+  };
+  struct Tree {
+    std::uint32_t root = 0;
+    std::uint32_t depth = 0;
   };
 
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> roots_;
+  std::vector<float> answers_;  // of nodes that are answers
+  std::vector<Tree> trees_;
 };
 
 }  // namespace nazori::writing

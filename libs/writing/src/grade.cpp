@@ -95,11 +95,12 @@ class Judge {
  private:
   void judge_strokes() {
     const auto strokes = judged_strokes(alignment_, drawn_, form_);
-    const auto strange = strangeness(strokes, form_.shapes.size());
+    const auto features = stroke_features(strokes, form_.shapes.size());
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
       const auto& link = alignment_.links[k];
       const auto& judged = strokes[k].judgement;
-      const double of_limit = strange[k] / (link.difference.reversed ? kCertainly : 1);
+      const double of_limit =
+          strangeness(features[k], strokes[k].used_freedom) / (link.difference.reversed ? kCertainly : 1);
       strangest_ = std::max(strangest_, of_limit / share_);
       auto& verdict = grade_.strokes[static_cast<std::size_t>(link.drawn)];
       describe(link, judged, verdict);
@@ -114,6 +115,7 @@ class Judge {
         if (most == Deviation::shape && std::abs(verdict.angle_rad) > std::numbers::pi / 5)
           most = Deviation::direction;
         add({kanji::MistakeKind::wrong, link.drawn, {}, {link.model}, most});
+        if (is_other_form_) return;  // it will not be taken
       } else if (link.difference.reversed) {
         Mistake mistake{kanji::MistakeKind::reversed, link.drawn, {}, {link.model}};
         mistake.start = start_of(form_.shapes[static_cast<std::size_t>(link.model)].whole);

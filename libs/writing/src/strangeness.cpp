@@ -179,18 +179,16 @@ std::vector<StrokeFeatures> stroke_features(std::span<const JudgedStroke> stroke
   return result;
 }
 
-std::vector<double> strangeness(std::span<const JudgedStroke> strokes, std::size_t of_model) {
+double strangeness(const StrokeFeatures& stroke, double used_freedom) {
   // Hardly any strange stroke deviates less than this share of the allowance. The trees know hands; of lines
   // drawn with a ruler, or by a program, they know less.
   constexpr double kSurelyRight = 0.25;
-  const auto features = stroke_features(strokes, of_model);
-  std::vector<double> result(strokes.size());
-  for (std::size_t k = 0; k < strokes.size(); ++k) {
-    const double of_trees = deviation_of(static_cast<double>(trained_trees().answer(features[k])));
-    const double at_most = static_cast<double>(features[k][kOfAllowance]) / kSurelyRight;
-    result[k] = std::min(of_trees, at_most) + strokes[k].used_freedom;
-  }
-  return result;
+  // No right stroke deviates more.
+  constexpr double kSurelyWrong = 4;
+  const auto of_allowance = static_cast<double>(stroke[kOfAllowance]);
+  if (of_allowance >= kSurelyWrong) return of_allowance;
+  const double of_trees = deviation_of(static_cast<double>(trained_trees().answer(stroke)));
+  return std::min(of_trees, of_allowance / kSurelyRight) + used_freedom;
 }
 
 }  // namespace nazori::writing

@@ -26,8 +26,9 @@ using StrokeFeatures = std::array<float, kStrokeFeatures>;
 [[nodiscard]] std::vector<StrokeFeatures> stroke_features(std::span<const JudgedStroke> strokes,
                                                           std::size_t of_model);
 
-/// How strange each stroke of a writing is: 1 at the limit of normal strictness. It is what decision trees
-/// have learned from real strokes and strange ones in their places. Any thread.
-[[nodiscard]] std::vector<double> strangeness(std::span<const JudgedStroke> strokes, std::size_t of_model);
+/// How strange a stroke is: 1 at the limit of normal strictness. It is what decision trees have learned from
+/// real strokes and strange ones in their places. Any thread.
+/// @param used_freedom  that of the judged stroke
+[[nodiscard]] double strangeness(const StrokeFeatures& stroke, double used_freedom);
 
 }  // namespace nazori::writing

@@ -50,7 +50,12 @@ std::vector<double> strangeness_of(const WrittenCharacter& ink, const Model& mod
   const auto prepared = prepare(ink, {});
   const auto& form = model.inside().main;
   const auto alignment = align({prepared->drawn, form.shapes, form.pairs, prepared->box, Extent::whole});
-  return strangeness(judged_strokes(alignment, prepared->drawn, form), form.shapes.size());
+  const auto strokes = judged_strokes(alignment, prepared->drawn, form);
+  const auto features = stroke_features(strokes, form.shapes.size());
+  std::vector<double> result;
+  for (std::size_t k = 0; k < strokes.size(); ++k)
+    result.push_back(strangeness(features[k], strokes[k].used_freedom));
+  return result;
 }
 
 TEST(StrokeFeatures, FillTheRowFromItsFirstNumberToItsLast) {
@@ -184,12 +189,33 @@ TEST(Strangeness, GrowsAsAStrokeIsTurned) {
       p.at = WritingPoint{54, 54} + decltype(v){std::cos(angle) * v.x - std::sin(angle) * v.y,
                                                 std::sin(angle) * v.x + std::cos(angle) * v.y};
     }
-    const double now = strangeness_of(ink, model_of(three())).at(1);
+    constexpr double kFarBeyond = 3;
+    const double now = std::min(strangeness_of(ink, model_of(three())).at(1), kFarBeyond);
     EXPECT_GE(now, before) << degrees;
     before = now;
   }
   EXPECT_GT(before, 1.3);
 }
+
+/// The features of a stroke drawn like the model, but for its share of the allowance.
+StrokeFeatures with_share(float of_allowance) {
+  auto row = stroke_features(std::array{straight({10, 10, 50, 10}, {10, 10, 50, 10})}, 1).at(0);
+  row[kOfAllowance] = of_allowance;
+  return row;
+}
+
+TEST(Strangeness, OfWhatHardlyDeviatesIsAtMostFourTimesItsShareOfTheAllowance) {
+  EXPECT_EQ(strangeness(with_share(0), 0), 0);
+  EXPECT_LE(strangeness(with_share(0.05F), 0), 0.2 + 1e-6);
+}
+
+TEST(Strangeness, OfWhatDeviatesFourTimesTheAllowanceIsThatShare) {
+  EXPECT_EQ(strangeness(with_share(4), 0), 4);
+  EXPECT_EQ(strangeness(with_share(50), 0.5), 50);
+  EXPECT_LT(strangeness(with_share(3.99F), 0), 3.9);
+}
+
+TEST(Strangeness, CountsAFreedomThatWasUsed) { EXPECT_NEAR(strangeness(with_share(0), 0.5), 0.5, 1e-9); }
 
 TEST(Strangeness, IsOneWhereTheLogOddsAreThoseOfTheLimit) {
   const double p = needed_probability(kNormal);
