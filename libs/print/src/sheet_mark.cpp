@@ -177,9 +177,10 @@ std::vector<MarkedBox> boxes_of(const SheetMark& mark) {
   const int in_row = cells_in(flow.length(), side);
   for (const MarkedRun& run : mark.runs) {
     if (mark.layout == Layout::practice) {
-      for (int cell = 0; cell < run.rows * in_row; ++cell)
-        add(run.characters.front(), cell % in_row * side, run.across_mm + cell / in_row * side,
-            cell < mark.copies);
+      for (int cell = 0; cell < run.rows * in_row; ++cell) {
+        const int row = cell / in_row;
+        add(run.characters.front(), cell % in_row * side, run.across_mm + row * side, cell < mark.copies);
+      }
     } else {
       double along = 0;
       for (const char32_t c : run.characters) {
@@ -257,19 +258,19 @@ base::Result<SheetMark> read_mark(std::span<const std::uint8_t> bytes) {
 }
 
 const std::vector<std::array<double, 2>>& page_sizes() {
-  static const std::vector<std::array<double, 2>> kSizes = [] {
-    std::vector<std::array<double, 2>> sizes;
+  static const std::vector<std::array<double, 2>> sizes = [] {
+    std::vector<std::array<double, 2>> made;
     SheetSettings settings;
     for (const Paper paper : {Paper::a4, Paper::b5, Paper::letter, Paper::hanshi})
       for (const bool booklet : {false, true}) {
         settings.paper = paper;
         settings.booklet = booklet;
         const Size size = size_of(settings);
-        sizes.push_back({size.width, size.height});
+        made.push_back({size.width, size.height});
       }
-    return sizes;
+    return made;
   }();
-  return kSizes;
+  return sizes;
 }
 
 }  // namespace nazori::print
