@@ -7,26 +7,18 @@
 #include <limits>
 #include <vector>
 
-#include "nazori/brush/spine.h"
+#include "hairs.h"
 
 namespace nazori::brush {
 namespace {
 
-SpineForm form(int segments, double own_bend_rad) {
-  SpineForm made;
-  made.segments = segments;
-  made.own_bend_rad = own_bend_rad;
-  return made;
-}
+using test::form;
+using test::hair;
+using test::rubbing;
 
 /// A hair that thins out, on paper.
 Spine on_paper() {
-  SpineForm hair;
-  hair.taper = 0.1;
-  hair.tip_segment = 0.5;
-  SpineFriction friction;
-  friction.paper = 0.3;
-  Spine spine(hair, friction);
+  Spine spine(hair(), rubbing(0.3));
   spine.place({{0, 0.8}, 0.2});
   return spine;
 }

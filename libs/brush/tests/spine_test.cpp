@@ -8,28 +8,17 @@
 #include <numbers>
 #include <random>
 
+#include "hairs.h"
+
 namespace nazori::brush {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-SpineForm form(int segments, double own_bend_rad = 0.005) {
-  SpineForm made;
-  made.segments = segments;
-  made.own_bend_rad = own_bend_rad;
-  return made;
-}
-SpineForm hair() {
-  SpineForm made;
-  made.taper = 0.1;
-  made.tip_segment = 0.5;
-  return made;
-}
-SpineFriction rubbing(double paper) {
-  SpineFriction made;
-  made.paper = paper;
-  return made;
-}
+using test::form;
+using test::hair;
+using test::rubbing;
+
 /// Root above the paper so that a straight hair is pressed `depth` beyond first touch.
 SpinePose pressed(double depth, double x = 0, double tilt_rad = 0) {
   return {{x, std::cos(tilt_rad) - depth}, tilt_rad};
