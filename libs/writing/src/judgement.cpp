@@ -134,6 +134,21 @@ JudgedStroke judge_stroke(const Shape& laid, const Shape& model, std::span<const
   return best;
 }
 
+std::vector<JudgedStroke> judged_strokes(const Alignment& alignment, std::span<const Shape> drawn,
+                                         const Form& form) {
+  const auto places = placements(alignment, form.shapes);
+  std::vector<JudgedStroke> result;
+  result.reserve(alignment.links.size());
+  for (std::size_t k = 0; k < alignment.links.size(); ++k) {
+    const auto& link = alignment.links[k];
+    const auto model = static_cast<std::size_t>(link.model);
+    const auto laid = transformed(drawn[static_cast<std::size_t>(link.drawn)], alignment.map);
+    result.push_back(
+        judge_stroke(laid, form.shapes[model], form.other_ways[model], link.difference, places[k]));
+  }
+  return result;
+}
+
 double deviation_limit(double strictness) {
   constexpr double kAtLenient = 1.7;
   constexpr double kAtStrict = 1 / 1.7;

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "alignment.h"
 #include "course.h"
+#include "model_inside.h"
 #include "nazori/writing/grade.h"
 #include "placement.h"
 #include "residue.h"
@@ -48,6 +51,10 @@ struct JudgedStroke {
 [[nodiscard]] JudgedStroke judge_stroke(const Shape& laid, const Shape& model,
                                         std::span<const Shape> other_ways, const StrokeDifference& difference,
                                         const Placement& placement);
+
+/// Judges the stroke of each link against the form it was aligned with.
+[[nodiscard]] std::vector<JudgedStroke> judged_strokes(const Alignment& alignment,
+                                                       std::span<const Shape> drawn, const Form& form);
 
 /// The largest deviation that is accepted: 1 at normal strictness. @pre strictness 0..1.
 [[nodiscard]] double deviation_limit(double strictness);

@@ -26,7 +26,7 @@ const DecisionTrees& trained_trees() {
   return *trees;
 }
 
-/// A stroke that counts little, or much, for how rough the hand is.
+/// What a stroke says of the hand: 0 steady, 1 as rough as any.
 double roughness_of(const JudgedStroke& stroke) {
   return std::sqrt(std::min(stroke.judgement.deviation, 1.0));
 }
@@ -147,21 +147,6 @@ void put_points(Row& row, const JudgedStroke& s) {
 }
 
 }  // namespace
-
-std::vector<JudgedStroke> judged_strokes(const Alignment& alignment, std::span<const Shape> drawn,
-                                         const Form& form) {
-  const auto places = placements(alignment, form.shapes);
-  std::vector<JudgedStroke> result;
-  result.reserve(alignment.links.size());
-  for (std::size_t k = 0; k < alignment.links.size(); ++k) {
-    const auto& link = alignment.links[k];
-    const auto model = static_cast<std::size_t>(link.model);
-    const auto laid = transformed(drawn[static_cast<std::size_t>(link.drawn)], alignment.map);
-    result.push_back(
-        judge_stroke(laid, form.shapes[model], form.other_ways[model], link.difference, places[k]));
-  }
-  return result;
-}
 
 std::vector<StrokeFeatures> stroke_features(std::span<const JudgedStroke> strokes, std::size_t of_model) {
   Sums all;

@@ -6,19 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "alignment.h"
 #include "judgement.h"
-#include "model_inside.h"
 
 namespace nazori::writing {
 
 /// How many numbers describe a stroke to the trees: 37 that are measured, and 3 times 8 points.
 inline constexpr std::size_t kStrokeFeatures = 37 + 3 * 8 * 2;
 using StrokeFeatures = std::array<float, kStrokeFeatures>;
-
-/// Judges the stroke of each link against the form it was aligned with.
-[[nodiscard]] std::vector<JudgedStroke> judged_strokes(const Alignment& alignment,
-                                                       std::span<const Shape> drawn, const Form& form);
 
 /// What is known of each stroke of a writing: how it differs from the model's, how rough the other strokes of
 /// the same hand are, and both shapes. training/train_stroke_trees.py reads them in this order.

@@ -22,6 +22,7 @@ from sklearn.linear_model import LogisticRegression
 
 from calibrate_probability import centre, length, sampled, spoiled, writings_of
 
+FEATURES = 85  # of a stroke: kStrokeFeatures of strangeness.h
 COPIES = 200_000  # strokes of each file, about, so that a small file is spoiled more often than a large one
 MOST_COPIES = 12  # of each kind
 # What can only make a stroke stranger: the deviation and its share of the allowance, and single parts of both.
@@ -152,9 +153,6 @@ def measure(program, database, samples):
         s.drawn, s.reversed, s.features = strokes[:, 0], strokes[:, 2], strokes[:, 3:]
 
 
-FEATURES = 85
-
-
 def table(samples):
     """Features, whether strange, and weights: right and strange weigh the same."""
     chance = random.Random(1)
@@ -252,7 +250,7 @@ def main():
         measure(program, database, groups[-1])
     models = samples_of(models_of(program, database), "models", of_models=True)
     measure(program, database, models)
-    whole, together = [], []
+    whole = []
     for i, file in enumerate(files):
         if len(groups[i]) > LARGE:  # the others alone are too few: its characters are left out by turns
             characters = sorted({s.character for s in groups[i]})
