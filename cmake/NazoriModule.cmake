@@ -74,6 +74,15 @@ function(nazori_test_parts name count without properties)
   endforeach()
 endfunction()
 
+# nazori_suite_tests(NAME WITHOUT PROPERTIES): a test for each suite of nazori_NAME_tests, but for what the filter WITHOUT
+# names. The programs are asked for their suites when ctest starts.
+function(nazori_suite_tests name without properties)
+  set(file "${CMAKE_CURRENT_BINARY_DIR}/nazori_${name}_suites.cmake")
+  file(GENERATE OUTPUT "${file}" CONTENT
+       "include(\"${CMAKE_SOURCE_DIR}/cmake/tests/add_suites.cmake\")\nnazori_add_suites(\"$<TARGET_FILE:nazori_${name}_tests>\" \"${name}.\" \"${without}\" \"${properties}\")\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${file}")
+endfunction()
+
 # nazori_threaded_tests(RESULT TESTS ... THREADED ... SOURCES ...)
 #
 # The test files that are built for the thread sanitizer: THREADED, which is ALL or a list of files, and files that are
@@ -147,9 +156,9 @@ endfunction()
 # of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are visible to users of the public headers,
 # PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE they run after
 # kanji.db has been built and find its folder in the environment variable NAZORI_DATA. ISOLATED_TESTS: a pattern for
-# test files whose tests need a process each, because they share one set of signals. With a sanitizer the other tests
-# share SANITIZED_PARTS processes (2 unless told otherwise; "2/8": see nazori_test_parts), without those that the filter NOT_SANITIZED names; otherwise
-# each test has its own process. The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot
+# test files whose tests need a process each, because they share one set of signals. Of the other tests each suite has a
+# process. With a sanitizer they share SANITIZED_PARTS processes (2 unless told otherwise; "2/8": see nazori_test_parts),
+# without those that the filter NOT_SANITIZED names. The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot
 # race. It runs all of them but those that NOT_SANITIZED or NOT_THREADED names. ALONE and TESTS_ALONE: see
 # nazori_compile_together.
 function(nazori_module name)
@@ -200,15 +209,17 @@ function(nazori_module name)
     if(m_NEEDS_DATABASE)
       list(APPEND properties FIXTURES_REQUIRED kanji_database)
     endif()
-    set(filter "")
+    set(left_out "")
     if(NAZORI_SANITIZE)
       set(left_out ${m_NOT_SANITIZED})
       if(NAZORI_SANITIZE STREQUAL "thread")
         list(APPEND left_out ${m_NOT_THREADED})
       endif()
       list(JOIN left_out ":" left_out)
-      nazori_isolated_suites(isolated shared "${m_ISOLATED_TESTS}" ${m_TESTS})
-      if(shared)
+    endif()
+    nazori_isolated_suites(isolated shared "${m_ISOLATED_TESTS}" ${m_TESTS})
+    if(shared)
+      if(NAZORI_SANITIZE)
         set(read "")
         foreach(path ${m_TEST_PATHS})
           # Stand-ins of devices are loaded at run time from the build folder.
@@ -219,11 +230,13 @@ function(nazori_module name)
           endif()
         endforeach()
         nazori_test_parts(${name} "${m_SANITIZED_PARTS}" "${isolated}:${left_out}" "${properties}" ${read})
+      else()
+        nazori_suite_tests(${name} "${isolated}" "${properties}")
       endif()
-      set(filter TEST_FILTER "${isolated}-${left_out}")
     endif()
-    if(isolated OR NOT NAZORI_SANITIZE)
-      gtest_discover_tests(${target}_tests TEST_PREFIX "${name}." ${filter} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
+    if(isolated)
+      gtest_discover_tests(${target}_tests TEST_PREFIX "${name}." TEST_FILTER "${isolated}-${left_out}"
+                           DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
     endif()
   endif()
   if(NAZORI_BUILD_BENCH AND m_BENCHES)
