@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "bytes.h"
 #include "facts_json.h"
 #include "nazori/archive/zip.h"
+#include "nazori/base/bytes.h"
 #include "nazori/base/file.h"
 #include "nazori/carving/carve.h"
 #include "nazori/kanji/centre_lines.h"
@@ -16,6 +16,8 @@
 namespace nazori::author {
 namespace {
 
+using base::ByteReader;
+using base::ByteWriter;
 using base::Errc;
 
 constexpr std::string_view kMeta = "meta.json";

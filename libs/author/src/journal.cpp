@@ -12,12 +12,15 @@
 #include <system_error>
 #include <utility>
 
-#include "bytes.h"
 #include "facts_json.h"
+#include "nazori/base/bytes.h"
 #include "nazori/base/file.h"
 
 namespace nazori::author {
 namespace {
+
+using base::ByteReader;
+using base::ByteWriter;
 
 constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'N', 'Z', 'J', '\r', '\n', 0x1A, 1};
 constexpr std::size_t kHead = 5;  // kind and length

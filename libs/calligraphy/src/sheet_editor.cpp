@@ -8,6 +8,7 @@
 #include "carved_sheet.h"
 #include "nazori/paint/sheet_file.h"
 #include "nazori/surface/colour_picture.h"
+#include "stroke_bytes.h"
 
 namespace nazori::calligraphy {
 namespace {
@@ -268,11 +269,13 @@ base::Result<void> SheetEditor::take_new_sheet(std::string_view paper) {
   return {};
 }
 
-std::vector<std::uint8_t> SheetEditor::bytes() const { return paint::to_bytes(board_.sheet, load_); }
+std::vector<std::uint8_t> SheetEditor::bytes() const {
+  return paint::to_bytes(board_.sheet, load_, to_bytes(board_.written));
+}
 
 base::Result<void> SheetEditor::save(const std::filesystem::path& path) {
   lift_pen();
-  auto saved = paint::save_sheet(board_.sheet, load_, path);
+  auto saved = paint::save_sheet(board_.sheet, load_, path, to_bytes(board_.written));
   if (saved) board_.saved = board_.revision;
   return saved;
 }
@@ -280,8 +283,15 @@ base::Result<void> SheetEditor::save(const std::filesystem::path& path) {
 base::Result<void> SheetEditor::open(const std::filesystem::path& path) {
   auto opened = paint::load_sheet(path);
   if (!opened) return tl::unexpected(std::move(opened.error()));
+  auto written = parse_strokes(opened->attached);
+  if (!written) {
+    written.error().where = path.string();
+    return tl::unexpected(std::move(written.error()));
+  }
   lift_pen();
   put(Board(std::move(opened->sheet), ++revisions_));
+  board_.strokes = static_cast<int>(written->size());
+  board_.written = std::move(*written);
   load_ = opened->load;
   if (slot_ >= 0) ink_ = board_.sheet.palette()[static_cast<std::size_t>(slot_)].name;
   return {};

@@ -10,6 +10,7 @@
 
 #include "editor_under_test.h"
 #include "nazori/base/file.h"
+#include "nazori/calligraphy/sheet_export.h"
 #include "nazori/paint/sheet_file.h"
 
 namespace nazori::calligraphy {
@@ -98,10 +99,69 @@ TEST_F(SheetEditorFiles, ASavedSheetOpensToTheSameBytes) {
   ASSERT_TRUE(other.open(path));
   EXPECT_EQ(other.bytes(), bytes);
   EXPECT_TRUE(other.state().is_saved);
-  EXPECT_EQ(other.state().strokes, 0);
+  EXPECT_EQ(other.state().strokes, 1);
   EXPECT_EQ(other.state().undoes, Edit::new_sheet);
   EXPECT_EQ(other.undo(), Edit::new_sheet);
   EXPECT_EQ(test::painted_cells(other), 0);
+}
+
+TEST_F(SheetEditorFiles, AnOpenedSheetHasTheStrokesThatWereWritten) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  line(e, {0, -0.03}, {0, 0.03}, std::nullopt);
+  const fs::path path = folder_ / "two.nzs";
+  ASSERT_TRUE(e.save(path));
+  SheetEditor other = editor();
+  line(other, {0.01, 0.01}, {0.02, 0.02});
+  ASSERT_TRUE(other.open(path));
+  EXPECT_EQ(other.state().strokes, 2);
+  EXPECT_EQ(to_svg(other.written()), to_svg(e.written()));
+  EXPECT_EQ(width_from(other.written()[1]), WidthFrom::speed);
+  // They were there when the sheet was opened, so undo takes the sheet away.
+  EXPECT_EQ(other.state().undoes, Edit::new_sheet);
+  line(other, {-0.03, 0.02}, {0.03, 0.02});
+  EXPECT_EQ(other.state().strokes, 3);
+  EXPECT_EQ(other.undo(), Edit::stroke);
+  EXPECT_EQ(to_svg(other.written()), to_svg(e.written()));
+  EXPECT_EQ(other.undo(), Edit::new_sheet);
+  EXPECT_EQ(other.written().size(), 1U);
+  EXPECT_EQ(other.redo(), Edit::new_sheet);
+  EXPECT_EQ(other.written().size(), 2U);
+}
+
+TEST_F(SheetEditorFiles, AnUndoneStrokeIsNotInTheFile) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  line(e, {0, -0.03}, {0, 0.03});
+  e.undo();
+  ASSERT_TRUE(e.save(folder_ / "one.nzs"));
+  SheetEditor other = editor();
+  ASSERT_TRUE(other.open(folder_ / "one.nzs"));
+  EXPECT_EQ(other.written().size(), 1U);
+}
+
+TEST_F(SheetEditorFiles, AFileOfAnOlderVersionOpensWithoutStrokes) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  ASSERT_TRUE(paint::save_sheet(e.sheet(), e.load(), folder_ / "old.nzs"));
+  SheetEditor other = editor();
+  ASSERT_TRUE(other.open(folder_ / "old.nzs"));
+  EXPECT_EQ(other.state().strokes, 0);
+  EXPECT_TRUE(other.written().empty());
+  EXPECT_TRUE(other.sheet().is_same_as(e.sheet()));
+}
+
+TEST_F(SheetEditorFiles, StrokesThatNoBrushWritesAreRefusedAndNothingChanges) {
+  SheetEditor e = editor();
+  line(e, {-0.03, 0}, {0.03, 0});
+  const auto bytes = e.bytes();
+  const fs::path path = folder_ / "strange.nzs";
+  const std::vector<std::uint8_t> strange{1, 0, 0, 0, 9};
+  ASSERT_TRUE(paint::save_sheet(e.sheet(), e.load(), path, strange));
+  const auto opened = e.open(path);
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(base::to_line(opened.error()), path.string() + ": has strokes that no brush writes");
+  EXPECT_EQ(e.bytes(), bytes);
 }
 
 TEST_F(SheetEditorFiles, WhatWasSavedIsSavedAgainAfterUndoAndRedo) {

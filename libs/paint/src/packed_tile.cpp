@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "bytes.h"
+#include "nazori/base/bytes.h"
 
 namespace nazori::paint {
 namespace {
+
+using base::ByteReader;
+using base::ByteWriter;
 
 constexpr std::size_t kFields = 2 + 2 * kSlots;
 constexpr std::size_t kMaskBytes = kCells / 8;
@@ -29,13 +33,13 @@ bool is_empty(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](Amount a) { return a == 0; });
 }
 
-void pack_field(const Field& field, std::vector<std::uint8_t>& bytes) {
-  const std::size_t mask = bytes.size();
-  bytes.resize(mask + kMaskBytes);
+void pack_field(const Field& field, ByteWriter& out) {
+  const std::size_t mask = out.bytes().size();
+  out.bytes().resize(mask + kMaskBytes);
   for (std::size_t i = 0; i < kCells; ++i) {
     if (field[i] == 0) continue;
-    bytes[mask + i / 8] |= static_cast<std::uint8_t>(1U << i % 8);
-    append(bytes, field[i]);
+    out.bytes()[mask + i / 8] |= static_cast<std::uint8_t>(1U << i % 8);
+    out.i32(field[i]);
   }
 }
 
@@ -45,10 +49,10 @@ bool unpack_field(ByteReader& reader, Amount most, Field& field) {
   for (std::size_t i = 0; i < kCells; ++i) {
     field[i] = 0;
     if ((mask[i / 8] >> i % 8 & 1U) == 0) continue;
-    field[i] = reader.next<Amount>();
+    field[i] = reader.i32();
     if (field[i] <= 0 || field[i] > most) return false;
   }
-  return reader.is_whole();
+  return reader.ok();
 }
 
 bool unpack_ground(ByteReader& reader, const Bands& paper_inside, Tile& tile) {
@@ -58,33 +62,33 @@ bool unpack_ground(ByteReader& reader, const Bands& paper_inside, Tile& tile) {
   for (std::size_t band = 0; band < 3; ++band) {
     for (std::size_t i = 0; i < kCells; ++i) {
       float& value = ground.reflectance[band][i];
-      value = ground.covered[i] != 0 ? reader.next<float>() : static_cast<float>(paper_inside[band]);
+      value = ground.covered[i] != 0 ? reader.f32() : static_cast<float>(paper_inside[band]);
       if (!(value >= 0.0F && value <= 1.0F) || std::signbit(value)) return false;
     }
   }
-  return reader.is_whole();
+  return reader.ok();
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> pack(const Tile& tile) {
-  std::vector<std::uint8_t> bytes;
+  ByteWriter out;
   std::uint16_t present = tile.ground ? kHasGround : 0;
   const auto fields = fields_of(tile);
   for (std::size_t k = 0; k < kFields; ++k)
     if (!is_empty(*fields[k])) present |= static_cast<std::uint16_t>(1U << k);
-  if (present == 0 && tile.evaporated == 0) return bytes;
-  append(bytes, tile.evaporated);
-  append(bytes, present);
+  if (present == 0 && tile.evaporated == 0) return {};
+  out.i64(tile.evaporated);
+  out.u16(present);
   for (std::size_t k = 0; k < kFields; ++k)
-    if ((present >> k & 1U) != 0) pack_field(*fields[k], bytes);
+    if ((present >> k & 1U) != 0) pack_field(*fields[k], out);
   if (tile.ground) {
-    pack_field(tile.ground->covered, bytes);
+    pack_field(tile.ground->covered, out);
     for (const auto& band : tile.ground->reflectance)
       for (std::size_t i = 0; i < kCells; ++i)
-        if (tile.ground->covered[i] != 0) append(bytes, band[i]);
+        if (tile.ground->covered[i] != 0) out.f32(band[i]);
   }
-  return bytes;
+  return std::move(out.bytes());
 }
 
 bool unpack(std::span<const std::uint8_t> bytes, const Bands& paper_inside, Tile& tile) {
@@ -93,8 +97,8 @@ bool unpack(std::span<const std::uint8_t> bytes, const Bands& paper_inside, Tile
   tile.evaporated = 0;
   tile.ground.reset();
   if (!bytes.empty()) {
-    tile.evaporated = reader.next<TotalAmount>();
-    present = reader.next<std::uint16_t>();
+    tile.evaporated = reader.i64();
+    present = reader.u16();
     if (tile.evaporated < 0 || tile.evaporated > kMostEvaporated || present >= 2 * kHasGround ||
         (present == 0 && tile.evaporated == 0))
       return false;
@@ -108,7 +112,7 @@ bool unpack(std::span<const std::uint8_t> bytes, const Bands& paper_inside, Tile
     }
   }
   if ((present & kHasGround) != 0 && !unpack_ground(reader, paper_inside, tile)) return false;
-  return reader.is_whole() && reader.left() == 0;
+  return reader.ok() && reader.left() == 0;
 }
 
 }  // namespace nazori::paint

@@ -39,9 +39,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::size_t i = 0; i < 4; ++i) bytes[bytes.size() - 4 + i] = static_cast<std::uint8_t>(sum >> (8 * i));
   auto saved = parse_sheet(bytes);
   if (!saved) return 0;
-  const auto written = to_bytes(saved->sheet, saved->load);
+  const auto written = to_bytes(saved->sheet, saved->load, saved->attached);
   const auto again = parse_sheet(written);
-  if (!again || !again->sheet.is_same_as(saved->sheet)) std::abort();
+  if (!again || !again->sheet.is_same_as(saved->sheet) || again->attached != saved->attached) std::abort();
   const TotalAmount water = water_of(saved->sheet), pigment = pigment_of(saved->sheet);
   saved->sheet.set_frozen(false);
   for (int i = 0; i < 3; ++i) saved->sheet.step();

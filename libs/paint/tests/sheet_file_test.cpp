@@ -53,6 +53,48 @@ TEST(SheetFile, ReopensBitForBitAndGoesOnAlike) {
 
 TEST(SheetFile, IsSmallWhereNothingWasWritten) { EXPECT_LT(to_bytes(sheet_of(128), {}).size(), 1500U); }
 
+TEST(SheetFile, WhatIsAttachedComesBackAndAnOlderVersionHasNone) {
+  const auto [sheet, load] = painted();
+  Bytes attached(5000);
+  for (std::size_t i = 0; i < attached.size(); ++i) attached[i] = static_cast<std::uint8_t>(i * i % 251);
+  const Bytes with = to_bytes(sheet, load, attached), without = to_bytes(sheet, load);
+  EXPECT_EQ(with[8], 2);
+  EXPECT_EQ(without[8], 1);
+  const auto saved = parse_sheet(with);
+  ASSERT_TRUE(saved) << base::to_line(saved.error());
+  EXPECT_EQ(saved->attached, attached);
+  EXPECT_TRUE(saved->sheet.is_same_as(sheet));
+  EXPECT_EQ(to_bytes(saved->sheet, saved->load, saved->attached), with);
+  EXPECT_TRUE(parse_sheet(without)->attached.empty());
+}
+
+TEST(SheetFile, AnAttachmentThatCannotBeUnpackedIsRefused) {
+  const auto [sheet, load] = painted();
+  const Bytes attached(300, 7);
+  const Bytes good = to_bytes(sheet, load, attached);
+  const std::size_t at = to_bytes(sheet, load).size() - 4;  // its length, and the length of what is packed
+  const auto with = [&](std::size_t offset, std::uint8_t value) {
+    Bytes bytes = good;
+    bytes[at + offset] = value;
+    repair(bytes);
+    return parse_sheet(bytes);
+  };
+  ASSERT_EQ(good[at] + 256 * good[at + 1], 300);
+  EXPECT_TRUE(with(0, good[at]));
+  EXPECT_EQ(with(0, static_cast<std::uint8_t>(good[at] + 1)).error().what,
+            "has strokes that cannot be unpacked");
+  EXPECT_FALSE(with(0, static_cast<std::uint8_t>(good[at] - 1)));
+  EXPECT_FALSE(with(3, 0x80));
+  EXPECT_FALSE(with(4, static_cast<std::uint8_t>(good[at + 4] + 1)));
+  EXPECT_FALSE(with(4, static_cast<std::uint8_t>(good[at + 4] - 1)));
+  EXPECT_FALSE(with(8, 0));  // not packed by zlib
+  // One byte more behind what was packed.
+  Bytes longer = good;
+  longer.insert(longer.end() - 4, 0);
+  repair(longer);
+  EXPECT_FALSE(parse_sheet(longer));
+}
+
 TEST(SheetFile, AFileIsWrittenAndReadAgain) {
   std::string folder = (std::filesystem::temp_directory_path() / "nazori-paint-XXXXXX").string();
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
@@ -87,7 +129,7 @@ TEST(SheetFile, EveryByteCountsAndEveryLengthIsChecked) {
   Bytes longer = good;
   longer.insert(longer.end() - 4, 0);
   repair(longer);
-  EXPECT_EQ(parse_sheet(longer).error().what, "does not end after its last tile");
+  EXPECT_EQ(parse_sheet(longer).error().what, "does not end where its last part does");
 }
 
 TEST(SheetFile, WrongValuesAreRefusedThoughTheChecksumIsRight) {
@@ -99,7 +141,9 @@ TEST(SheetFile, WrongValuesAreRefusedThoughTheChecksumIsRight) {
     repair(bytes);
     return parse_sheet(bytes);
   };
-  EXPECT_EQ(with(8, 2).error().code, base::Errc::schema);
+  EXPECT_FALSE(with(8, 2));  // there is no attachment
+  EXPECT_EQ(with(8, 0).error().code, base::Errc::schema);
+  EXPECT_EQ(with(8, 3).error().code, base::Errc::schema);
   EXPECT_EQ(with(10, 1).error().code, base::Errc::schema);
   EXPECT_FALSE(with(12, 100));  // size
   EXPECT_FALSE(with(15, 1));

@@ -31,7 +31,7 @@ enum class Edit : std::uint8_t {
 
 /// What is on the paper and in the brush, in numbers.
 struct SheetState {
-  int strokes = 0;  ///< on this sheet since it was made or opened
+  int strokes = 0;  ///< on this sheet, also those that its file had
   Edit undoes = Edit::none;
   Edit redoes = Edit::none;
   bool is_wet = false;
@@ -96,11 +96,12 @@ class SheetEditor {
   /// @return the errors of paint::find_paper(); then nothing has changed.
   [[nodiscard]] base::Result<void> take_new_sheet(std::string_view paper);
 
-  /// The bytes of a file, as paint::to_bytes().
+  /// The bytes of a file, as paint::to_bytes(), with the strokes.
   [[nodiscard]] std::vector<std::uint8_t> bytes() const;
   [[nodiscard]] base::Result<void> save(const std::filesystem::path& path);
-  /// Takes the sheet of a file. undo() brings the old one back.
-  /// @return the errors of paint::load_sheet(); then nothing has changed.
+  /// Takes the sheet of a file, with its strokes. undo() brings the old one back, and none of them alone.
+  /// @return the errors of paint::load_sheet(), Errc::parse for strokes that no brush writes; then nothing has
+  /// changed.
   [[nodiscard]] base::Result<void> open(const std::filesystem::path& path);
   /// The picture of the sheet as a PNG, written beside and renamed.
   [[nodiscard]] base::Result<void> save_png(const std::filesystem::path& path);
@@ -109,7 +110,7 @@ class SheetEditor {
 
   [[nodiscard]] const paint::Sheet& sheet() const { return board_.sheet; }
   [[nodiscard]] const paint::InkLoad& load() const { return load_; }
-  /// The strokes on the sheet that were written here, in their order; those of a file are not known.
+  /// The strokes on the sheet in their order. Files of older versions have none.
   [[nodiscard]] const std::vector<BrushStroke>& written() const { return board_.written; }
   [[nodiscard]] SheetState state() const;
   [[nodiscard]] BrushShape brush_shape() const;
