@@ -32,7 +32,7 @@ TabletControl::TabletControl(base::Inbox& inbox, const base::Clock& clock,
       device_(inbox, clock, std::move(wake_at)),
       leaving_(device_.leaving.connect([this] { pump(); })),
       changed_(device_.changed.connect([this] {
-        if (guides_ && guides_->leading) hand_over_scene();
+        if (sheet_ || (guides_ && guides_->leading)) hand_over_scene();
         send();
       })),
       felt_(inbox) {
@@ -90,6 +90,7 @@ void TabletControl::next_stroke() { set_current_stroke(current_ >= stroke_count(
 void TabletControl::previous_stroke() { set_current_stroke(current_ == 0 ? stroke_count() : current_ - 1); }
 
 void TabletControl::press_button(devices::ButtonDoes what) {
+  if (sheet_) return;
   switch (what) {
     case devices::ButtonDoes::nothing:
       return;
@@ -174,7 +175,24 @@ void TabletControl::lead_from(int stroke) {
   if (guides_ && guides_->leading) hand_over_scene();
 }
 
+void TabletControl::set_sheet(std::optional<FlatSheet> sheet) {
+  sheet_ = std::move(sheet);
+  hand_over_scene();
+}
+
+void TabletControl::hand_over_sheet() {
+  auto scene = std::make_shared<haptics::HapticScene>();
+  scene->soft_tip = sheet_->tip;
+  if (!sheet_->led.empty() && can_lead()) {
+    scene->strokes = sheet_->led;
+    scene->guiding.mode = haptics::GuidingMode::lead;
+    scene->guiding.attempt = sheet_->led_times;
+  }
+  device_.set_scene(std::move(scene));
+}
+
 void TabletControl::hand_over_scene() {
+  if (sheet_) return hand_over_sheet();
   if (!tablet_) {
     device_.set_scene(nullptr);
     return;
@@ -205,7 +223,7 @@ void TabletControl::set_material(const haptics::Material& material) {
 void TabletControl::move_stylus(geometry::TabletPoint at, bool is_down, std::optional<double> pressure,
                                 std::optional<double> event_s) {
   const geometry::TabletShape shape = tablet_ ? tablet_->shape() : geometry::TabletShape{};
-  if (!is_down || pressure || !slope_help_ || judged_)
+  if (!is_down || pressure || !slope_help_ || judged_ || sheet_)
     slope_gain_.reset();
   else if (tablet_)
     at = slope_gain_.follow(at, haptics::TabletSurface(*tablet_->surface(), shape));
@@ -216,7 +234,7 @@ void TabletControl::move_stylus(geometry::TabletPoint at, bool is_down, std::opt
   const bool over = std::abs(at.x) <= edge_m && std::abs(at.y) <= edge_m;
   const bool began = is_down && !pointer_.pressed;
   if (began && !pressure) mouse_depth_ = kUsualDepth;
-  if (began && over) pressed({pointer_.x_m, pointer_.y_m});
+  if (began && over && !sheet_) pressed({pointer_.x_m, pointer_.y_m});
   pointer_.pressed = is_down && (over || pointer_.pressed);
   pointer_.in_range = over || pointer_.pressed;
   const double fraction = pressure ? std::clamp(*pressure, 0.0, 1.0) * kDeepest : mouse_depth_;
@@ -280,7 +298,7 @@ void TabletControl::follow(std::span<const haptics::ServoSample> samples) {
   const bool had_bits = !ink_.left_open().empty();
   bool inked = false;
   sampled(samples);
-  const bool traced = !guides_ || guides_->traced;
+  const bool traced = !sheet_ && (!guides_ || guides_->traced);
   for (const auto& sample : samples) {
     if (!traced) break;
     // A late tick interrupts the contact although the hand did not lift.

@@ -4,6 +4,13 @@
 <context>
     <name>nazori::ui::BrushPage</name>
     <message numerus="yes">
+        <source>Hold the stylus loosely: it leads your hand through %n strokes. V: stop.</source>
+        <translation>
+            <numerusform>Hold the stylus loosely: it leads your hand through %n stroke. V: stop.</numerusform>
+            <numerusform>Hold the stylus loosely: it leads your hand through %n strokes. V: stop.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Watch: %n strokes. V: stop.</source>
         <translation>
             <numerusform>Watch: %n stroke. V: stop.</numerusform>

@@ -667,6 +667,14 @@
         <translation>筆が左に傾き、ペンの傾きも左右が逆になります</translation>
     </message>
     <message>
+        <source>&amp;Strengthen the force</source>
+        <translation>力を強める(&amp;S)</translation>
+    </message>
+    <message>
+        <source>A force-feedback device pushes four times as hard as the brush</source>
+        <translation>力覚デバイスが筆の4倍の力で押し返します</translation>
+    </message>
+    <message>
         <source>Show the &amp;brush</source>
         <translation>筆を表示する(&amp;B)</translation>
     </message>
@@ -1138,8 +1146,20 @@
         <translation>これ以上弱く押せません。</translation>
     </message>
     <message>
+        <source>Lower the stylus onto the sheet: you feel the brush. A button of the stylus, or I: ink. S: what is on the sheet.</source>
+        <translation>ペンを紙に下ろすと、筆の手ごたえがあります。ペンのボタンまたは I：墨、S：紙の説明。</translation>
+    </message>
+    <message>
         <source>Write on the sheet with mouse, pen or finger, or by keys (M). I: ink. W: water. S: what is on the sheet.</source>
         <translation>マウス、ペン、指、またはキー（M）で紙に書いてください。I：墨、W：水、S：紙の説明。</translation>
+    </message>
+    <message>
+        <source>The device pushes four times as hard as the brush.</source>
+        <translation>デバイスは筆の4倍の力で押し返します。</translation>
+    </message>
+    <message>
+        <source>The device pushes as hard as the brush.</source>
+        <translation>デバイスは筆と同じ力で押し返します。</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -1148,6 +1168,12 @@
     <message>
         <source>There is no model to be written. T: type a text.</source>
         <translation>書いて見せる手本がありません。T：手本の字を入力</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hold the stylus loosely: it leads your hand through %n strokes. V: stop.</source>
+        <translation>
+            <numerusform>ペンを軽く持ってください。%n画を、手を導いて書きます。V：止める</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Watch: %n strokes. V: stop.</source>

@@ -18,6 +18,8 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
                         tr("With mouse and finger: a slow stroke is thick, a fast one thin"), "G", true);
   left_hand = make("brush_left_hand", tr("&Left hand"),
                    tr("The brush leans to the left; the tilt of a pen is mirrored"), "L", true);
+  strengthen = make("brush_strengthen", tr("&Strengthen the force"),
+                    tr("A force-feedback device pushes four times as hard as the brush"), "Shift+F", true);
   show_brush = make("brush_shown", tr("Show the &brush"), tr("Show the brush above the paper"), "B", true);
 
   undo = make("brush_undo", tr("&Undo"), tr("Undo the last stroke"), "Ctrl+Z Backspace", Icon::undo);
@@ -83,7 +85,7 @@ BrushActions::BrushActions(QWidget* window) : ActionSet(window) {
 
   make_exclusive({model_none, model_beneath, model_beside});
   add_group(tr("&Brush"), {dip_in_ink, dip_in_water, wipe, nullptr, thicker, thinner, next_hair, next_ink,
-                           nullptr, guess_pressure, left_hand, show_brush});
+                           nullptr, guess_pressure, left_hand, strengthen, show_brush});
   add_group(tr("S&heet"), {undo, redo, nullptr, dry, new_sheet, next_paper, nullptr, describe, advice,
                            nullptr, save_png, carve, nullptr, tools});
   add_group(tr("&Model"), {model_none, model_beneath, model_beside, nullptr, next_ruling, next_font, nullptr,

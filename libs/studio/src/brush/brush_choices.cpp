@@ -78,6 +78,8 @@ void BrushPage::connect_actions() {
   on(actions_->left_hand, [this](bool on) {
     choice_.left_hand = on;
     paper_->set_left_hand(on);
+    const auto tilt = calligraphy::assumed_tilt(on);
+    felt_.set_tilt(tilt.lean_rad, tilt.lean_to_rad);
     parts().save_later();
   });
   on(actions_->show_brush, [this](bool on) {
@@ -145,6 +147,7 @@ void BrushPage::connect_panel() {
 
 void BrushPage::connect_paper() {
   connect(paper_, &PaperView::pen_moved, this, [this](const brush::PenSample& sample) {
+    if (felt_.has_no_hand()) return felt_.move_hand(sample.at, sample.down, sample.pressure);
     stop_teacher();
     clear_advice();
     writing_->move_pen(sample);
@@ -181,6 +184,7 @@ void BrushPage::set_handling() {
 void BrushPage::choose_brush(const calligraphy::BrushChoice& brush) {
   choice_.brush = brush;
   writing_->set_brush(brush);
+  felt_.set_brush(calligraphy::form_of(brush));
   parts().respond(Feedback::hint,
                   tr("Brush: %1, %2.").arg(brush_size_name(brush.size), hair_name(brush.hair)));
   parts().save_later();

@@ -45,7 +45,8 @@ BrushPage::BrushPage(WindowParts& parts, int cells)
           [this] { paper_->take_brush_away(); }),
       key_writing_(new KeyWriting(
           parts, ground_, {actions_->by_key, actions_->press, actions_->next_start, actions_->where},
-          [this](const QObject* one) { return one == paper_; }, this)) {
+          [this](const QObject* one) { return one == paper_; }, this)),
+      felt_(inbox_.inbox(), parts.tablet(), [this] { return paper_->pen_clock_s(); }) {
   auto* row = new QHBoxLayout(widget_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -67,6 +68,7 @@ BrushPage::BrushPage(WindowParts& parts, int cells)
   connect_paper();
   connect_keys();
   connect_font_models();
+  connect_device();
   connect_reviews();
   subscribe(parts.library().characters_ready, this, [this](const std::vector<kanji::Character>& characters) {
     for (const auto& character : characters) characters_[character.code_point] = character;
@@ -114,10 +116,12 @@ void BrushPage::load(const QSettings& settings) {
   choice_.text = to_text(base::text_setting(values, "text"));
   choice_.guess_pressure = base::flag_setting(values, "guess_pressure", choice_.guess_pressure);
   choice_.left_hand = base::flag_setting(values, "left_hand", parts().preferences().left_handed);
+  choice_.strengthen = base::flag_setting(values, "strengthen", choice_.strengthen);
   choice_.show_brush = base::flag_setting(values, "show_brush", choice_.show_brush);
   choice_.show_tools = base::flag_setting(values, "show_tools", choice_.show_tools);
   actions_->guess_pressure->setChecked(choice_.guess_pressure);
   actions_->left_hand->setChecked(choice_.left_hand);
+  actions_->strengthen->setChecked(choice_.strengthen);
   actions_->show_brush->setChecked(choice_.show_brush);
   actions_->tools->setChecked(choice_.show_tools);
   panel_->setVisible(choice_.show_tools);
@@ -140,6 +144,7 @@ void BrushPage::save(QSettings& settings) const {
   values.insert_or_assign("text", choice_.text.toStdString());
   base::set_flag(values, "guess_pressure", choice_.guess_pressure);
   base::set_flag(values, "left_hand", choice_.left_hand);
+  base::set_flag(values, "strengthen", choice_.strengthen);
   base::set_flag(values, "show_brush", choice_.show_brush);
   base::set_flag(values, "show_tools", choice_.show_tools);
   write_settings(settings, values);
@@ -156,10 +161,15 @@ void BrushPage::enter() {
   if (!fonts_) font_models_.list();
   request_model();
   parts().note_opened();
+  feel_sheet();
   parts().announce(
       Feedback::hint,
-      tr("Write on the sheet with mouse, pen or finger, or by keys (M). I: ink. W: water. S: what "
-         "is on the sheet."));
+      felt_.is_felt()
+          ? tr("Lower the stylus onto the sheet: you feel the brush. A button of the stylus, or I: ink. S: "
+               "what is "
+               "on the sheet.")
+          : tr("Write on the sheet with mouse, pen or finger, or by keys (M). I: ink. W: water. S: what "
+               "is on the sheet."));
   wake();
 }
 
@@ -167,6 +177,7 @@ void BrushPage::leave() {
   entered_ = false;
   stop_teacher();
   key_writing_->end();
+  felt_.leave();
   writing_->lift_pen();
 }
 
@@ -209,6 +220,7 @@ void BrushPage::show_frame(const calligraphy::BrushFrame& frame) {
   actions_->dry->setEnabled(state.is_wet);
   panel_->show_state(state);
   note_strokes(state.strokes);
+  felt_.set_wetness(state.fullness);
   paper_->setAccessibleDescription(sheet_words());
   if (state.fullness > kAlmostDry) warned_dry_ = false;
   if (state.fullness < kAlmostDry && !state.is_writing && !warned_dry_) {

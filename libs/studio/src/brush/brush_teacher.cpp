@@ -8,12 +8,6 @@
 #include "nazori/widgets/page/window_parts.h"
 
 namespace nazori::ui {
-namespace {
-
-constexpr double kDipsAt = 0.3;  ///< how full the brush is when a teacher dips it before the next stroke
-
-}  // namespace
-
 void BrushPage::watch_teacher() {
   if (is_watching()) {
     stop_teacher();
@@ -36,6 +30,12 @@ void BrushPage::begin_hand(std::vector<brush::PenSample> hand) {
   if (!std::exchange(awaits_hand_, false) || hand.empty()) return;
   int strokes = 0;
   for (std::size_t i = 1; i < hand.size(); ++i) strokes += hand[i].down && !hand[i - 1].down ? 1 : 0;
+  if (felt_.is_felt()) {
+    felt_.lead(hand);
+    return parts().announce(
+        Feedback::hint,
+        tr("Hold the stylus loosely: it leads your hand through %n strokes. V: stop.", nullptr, strokes));
+  }
   hand_ = std::move(hand);
   hand_next_ = 0;
   hand_begins_s_ = paper_->pen_clock_s();
@@ -57,11 +57,16 @@ void BrushPage::move_hand(double seconds) {
   }
   if (hand_next_ < hand_.size()) return;
   stop_teacher();
+  tell_written();
+}
+
+void BrushPage::tell_written() {
   parts().announce(Feedback::good, tr("That is how it is written. Ctrl+N: a new sheet for you."));
 }
 
 void BrushPage::stop_teacher() {
   awaits_hand_ = false;
+  felt_.stop_leading();
   if (hand_.empty()) return;
   hand_.clear();
   writing_->lift_pen();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,6 +45,13 @@ struct Demonstration {
   std::vector<double> ink;  ///< the written share of each stroke
   view::Cursor brush;
   bool moving = false;  ///< the brush is drawn even where a stylus is near
+};
+
+/// A flat sheet of paper in place of the tablet.
+struct FlatSheet {
+  std::shared_ptr<const haptics::SoftTip> tip;  ///< that bends on it; null: nothing to touch yet
+  std::vector<haptics::StrokePath> led;         ///< strokes along which the device leads the hand
+  std::uint32_t led_times = 0;                  ///< another number begins with the first stroke again
 };
 
 /// The state of the tablet: the carved tablet itself, which strokes are shown, whether they attract the
@@ -103,6 +111,9 @@ class TabletControl {
   /// Shows thin lines on the tablet, whatever stage is practised.
   void set_cross(view::WritingCross cross);
 
+  /// Lets the stylus feel a sheet instead of the tablet: nothing is traced, and the buttons of the stylus do
+  /// nothing here. Nothing: the tablet again.
+  void set_sheet(std::optional<FlatSheet> sheet);
   void set_guides(const std::optional<TabletGuides>& guides);
   /// Whether the active device can lead the hand.
   [[nodiscard]] bool can_lead() const { return device_.describe().has_force; }
@@ -184,6 +195,7 @@ class TabletControl {
 
  private:
   void hand_over_scene();
+  void hand_over_sheet();
   void lead_from(int stroke);
   void send(std::optional<double> event_s = {});
   void lay_out_writing();
@@ -201,6 +213,7 @@ class TabletControl {
   bool snapping_ = false;
   view::Style style_ = view::Style::wood;
   view::WritingCross cross_ = view::WritingCross::none;
+  std::optional<FlatSheet> sheet_;
   std::optional<TabletGuides> guides_;
   std::optional<Demonstration> demonstration_;
   std::vector<view::InkedStroke> writing_;

@@ -14,7 +14,7 @@ class BrushActions final : public ActionSet {
   explicit BrushActions(QWidget* window);
 
   QAction *dip_in_ink, *dip_in_water, *wipe, *thicker, *thinner, *next_hair, *next_ink;
-  QAction *guess_pressure, *left_hand, *show_brush;
+  QAction *guess_pressure, *left_hand, *strengthen, *show_brush;
   QAction *undo, *redo, *dry, *new_sheet, *next_paper, *describe, *advice, *save_png, *carve, *tools;
   QAction *model_none, *model_beneath, *model_beside, *next_ruling, *next_font, *model_text, *next_model,
       *previous_model, *watch;

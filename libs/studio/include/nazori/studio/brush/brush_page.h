@@ -11,6 +11,7 @@
 
 #include "nazori/author/font_models.h"
 #include "nazori/calligraphy/brush_writing.h"
+#include "nazori/practice/felt_sheet.h"
 #include "nazori/practice/key_pen_ground.h"
 #include "nazori/studio/brush/paper_view.h"
 #include "nazori/widgets/events/event_loop_inbox.h"
@@ -68,6 +69,7 @@ class BrushPage final : public Page {
     QString text;
     bool guess_pressure = true;
     bool left_hand = false;
+    bool strengthen = true;  ///< the force of the brush on a device
     bool show_brush = true;
     bool show_tools = true;
   };
@@ -78,6 +80,7 @@ class BrushPage final : public Page {
   void connect_paper();
   void connect_keys();
   void connect_font_models();
+  void connect_device();
   void start_writing();
   void show_frame(const calligraphy::BrushFrame& frame);
   void show_outcome(const calligraphy::Outcome& outcome);
@@ -123,7 +126,10 @@ class BrushPage final : public Page {
   void begin_hand(std::vector<brush::PenSample> hand);
   void move_hand(double seconds);
   void stop_teacher();
-  [[nodiscard]] bool is_watching() const { return awaits_hand_ || !hand_.empty(); }
+  void tell_written();
+  [[nodiscard]] bool is_watching() const { return awaits_hand_ || !hand_.empty() || felt_.is_leading(); }
+  /// Lets a force-feedback device feel the brush on the sheet.
+  void feel_sheet();
   // Reviews with the brush (brush_reviews.cpp).
   void connect_reviews();
   void start_reviews();
@@ -141,6 +147,9 @@ class BrushPage final : public Page {
   [[nodiscard]] int ruling() const { return reviews() ? 1 : choice_.ruling; }
   void ask_and_write(const QString& suffix);
   void show_tablet(const calligraphy::Outcome& outcome);
+
+  static constexpr double kDipsAt =
+      0.3;  ///< how full the brush is when a teacher dips it before the next stroke
 
   int cells_;
   BrushActions* actions_;
@@ -174,6 +183,7 @@ class BrushPage final : public Page {
   QElapsedTimer since_tick_;
   EventLoopInbox inbox_;
   author::FontModels font_models_{inbox_.inbox()};
+  practice::FeltSheet felt_;
   std::unique_ptr<calligraphy::BrushWriting> writing_;  // last: its thread ends first
 };
 
