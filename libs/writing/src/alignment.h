@@ -10,6 +10,8 @@
 
 namespace nazori::writing {
 
+class StrokeComparer;
+
 /// A drawn stroke (or two) and the model stroke (or two) that it is matched with.
 struct Link {
   int drawn = 0;        ///< first drawn stroke
@@ -44,6 +46,10 @@ struct AlignmentInput {
 
 /// The likeliest explanation of the drawn strokes; at least one drawn and one model stroke.
 [[nodiscard]] Alignment align(const AlignmentInput& input);
+[[nodiscard]] Alignment align(StrokeComparer& strokes, const std::optional<Affine>& box, Extent extent);
+/// Whether one of the strokes, taken in their order, is certainly wrong. @pre as many drawn strokes as the
+/// model's.
+[[nodiscard]] bool is_one_wrong_in_order(StrokeComparer& strokes, const std::optional<Affine>& box);
 /// A faster approximation, for comparing many models: one starting point, two rounds. Models that cost far
 /// more than `hopeless` after the first round are not examined again.
 [[nodiscard]] Alignment align_roughly(const AlignmentInput& input, float hopeless);

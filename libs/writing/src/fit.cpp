@@ -63,47 +63,94 @@ Ink ink_of(std::span<const Shape> shapes) {
 
 }  // namespace
 
+PairMoments moments_of(const FitPair& pair) {
+  const auto& d = *pair.drawn;
+  const auto& m = *pair.model;
+  float xx = 0, xy = 0, yy = 0, xu = 0, yu = 0, xv = 0, yv = 0;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const std::size_t j = pair.reversed ? kSamples - 1 - k : k;
+    const float x = d.x[j] - d.centre_x, y = d.y[j] - d.centre_y;
+    const float u = m.x[k] - m.centre_x, v = m.y[k] - m.centre_y;
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+    xu += x * u;
+    yu += y * u;
+    xv += x * v;
+    yv += y * v;
+  }
+  const auto mean = [](float sum) { return static_cast<double>(sum) / static_cast<double>(kSamples); };
+  return {static_cast<double>(d.centre_x),
+          static_cast<double>(d.centre_y),
+          static_cast<double>(m.centre_x),
+          static_cast<double>(m.centre_y),
+          mean(xx),
+          mean(xy),
+          mean(yy),
+          mean(xu),
+          mean(yu),
+          mean(xv),
+          mean(yv)};
+}
+
+void FitSums::add(const PairMoments& p, double w) {
+  weight += w;
+  sum.x += w * p.x;
+  sum.y += w * p.y;
+  sum.u += w * p.u;
+  sum.v += w * p.v;
+  sum.xx += w * (p.xx + p.x * p.x);
+  sum.xy += w * (p.xy + p.x * p.y);
+  sum.yy += w * (p.yy + p.y * p.y);
+  sum.xu += w * (p.xu + p.x * p.u);
+  sum.yu += w * (p.yu + p.y * p.u);
+  sum.xv += w * (p.xv + p.x * p.v);
+  sum.yv += w * (p.yv + p.y * p.v);
+}
+
+void FitSums::add(const FitSums& other, double times) {
+  const auto& p = other.sum;
+  weight += times * other.weight;
+  sum.x += times * p.x;
+  sum.y += times * p.y;
+  sum.u += times * p.u;
+  sum.v += times * p.v;
+  sum.xx += times * p.xx;
+  sum.xy += times * p.xy;
+  sum.yy += times * p.yy;
+  sum.xu += times * p.xu;
+  sum.yu += times * p.yu;
+  sum.xv += times * p.xv;
+  sum.yv += times * p.yv;
+}
+
 Affine fit(std::span<const FitPair> pairs, double expected_scale) {
-  double weight = 0;
-  double px = 0, py = 0, qx = 0, qy = 0;
-  for (const auto& p : pairs) {
-    weight += p.weight;
-    px += p.weight * static_cast<double>(p.drawn->centre_x);
-    py += p.weight * static_cast<double>(p.drawn->centre_y);
-    qx += p.weight * static_cast<double>(p.model->centre_x);
-    qy += p.weight * static_cast<double>(p.model->centre_y);
+  if (pairs.empty()) return {};
+  // Sums of large coordinates would lose their small differences.
+  const double x = static_cast<double>(pairs.front().drawn->centre_x);
+  const double y = static_cast<double>(pairs.front().drawn->centre_y);
+  FitSums sums;
+  for (const auto& pair : pairs) {
+    auto moments = moments_of(pair);
+    moments.x -= x;
+    moments.y -= y;
+    sums.add(moments, pair.weight);
   }
-  if (weight <= 0) return {};
-  px /= weight;
-  py /= weight;
-  qx /= weight;
-  qy /= weight;
-  double xx = 0, xy = 0, yy = 0, xu = 0, yu = 0, xv = 0, yv = 0;
-  const auto fx = static_cast<float>(px), fy = static_cast<float>(py);
-  const auto gx = static_cast<float>(qx), gy = static_cast<float>(qy);
-  for (const auto& p : pairs) {
-    float sxx = 0, sxy = 0, syy = 0, sxu = 0, syu = 0, sxv = 0, syv = 0;
-    for (std::size_t k = 0; k < kSamples; ++k) {
-      const std::size_t j = p.reversed ? kSamples - 1 - k : k;
-      const float x = p.drawn->x[j] - fx, y = p.drawn->y[j] - fy;
-      const float u = p.model->x[k] - gx, v = p.model->y[k] - gy;
-      sxx += x * x;
-      sxy += x * y;
-      syy += y * y;
-      sxu += x * u;
-      syu += y * u;
-      sxv += x * v;
-      syv += y * v;
-    }
-    const double w = p.weight / static_cast<double>(kSamples);
-    xx += w * static_cast<double>(sxx);
-    xy += w * static_cast<double>(sxy);
-    yy += w * static_cast<double>(syy);
-    xu += w * static_cast<double>(sxu);
-    yu += w * static_cast<double>(syu);
-    xv += w * static_cast<double>(sxv);
-    yv += w * static_cast<double>(syv);
-  }
+  if (sums.weight <= 0) return {};
+  auto map = fit(sums, expected_scale);
+  map.tx -= map.a * x + map.b * y;
+  map.ty -= map.c * x + map.d * y;
+  return map;
+}
+
+Affine fit(const FitSums& sums, double expected_scale) {
+  if (sums.weight <= 0) return {};
+  const auto& of = sums.sum;
+  const double px = of.x / sums.weight, py = of.y / sums.weight;
+  const double qx = of.u / sums.weight, qy = of.v / sums.weight;
+  const double xx = of.xx - of.x * px, xy = of.xy - of.x * py, yy = of.yy - of.y * py;
+  const double xu = of.xu - of.x * qx, yu = of.yu - of.y * qx;
+  const double xv = of.xv - of.x * qy, yv = of.yv - of.y * qy;
   const double s = expected_scale;
   const double unit = 1 / (s * s);  // the holds are in glyph units, the drawn samples are 1/s of them
   const double aspect = kHoldAspect * unit, slant = kHoldSlant * unit, scale = kHoldScale * unit;

@@ -16,6 +16,7 @@
 #include "probability.h"
 #include "standing_out.h"
 #include "strangeness.h"
+#include "stroke_comparer.h"
 #include "stroke_order_mistakes.h"
 
 namespace nazori::writing {
@@ -63,17 +64,18 @@ int points_of(const ScoreParts& p) {
 /// Judges against one form.
 class Judge {
  public:
-  Judge(std::span<const Shape> drawn, const std::optional<Affine>& box, const Form& form,
+  /// @param strokes  of the drawing and the form, with their alignment
+  Judge(StrokeComparer& strokes, Alignment alignment, const Form& form,
         const std::vector<kanji::AlternativeOrder>& orders, const GradeOptions& options)
-      : drawn_(drawn),
+      : strokes_(strokes),
+        drawn_(strokes.drawn()),
         form_(form),
         orders_(orders),
         options_(options),
         limit_(deviation_limit(options.strictness)),
-        alignment_(align(
-            {drawn, form.shapes, form.pairs, box, options.unfinished ? Extent::beginning : Extent::whole})) {
+        alignment_(std::move(alignment)) {
     grade_.variant = form.variant;
-    grade_.strokes.resize(drawn.size());
+    grade_.strokes.resize(drawn_.size());
   }
 
   /// A form that is not the one that was asked for must fit better, and no stroke of it may stand out.
@@ -215,8 +217,7 @@ class Judge {
     constexpr double kToleranceOfOtherForm = 0.6;
     const double tolerance =
         std::sqrt(deviation_limit(options_.strictness)) * (is_other_form_ ? kToleranceOfOtherForm : 1);
-    for (const auto& c :
-         conspicuous_strokes(alignment_.links, drawn_, form_.shapes, alignment_.map, tolerance)) {
+    for (const auto& c : conspicuous_strokes(strokes_, alignment_.links, alignment_.map, tolerance)) {
       const auto& link = alignment_.links[c.link];
       auto& verdict = grade_.strokes[static_cast<std::size_t>(link.drawn)];
       if (!verdict.ok) continue;
@@ -283,6 +284,7 @@ class Judge {
     grade_.score = points_of(p);
   }
 
+  StrokeComparer& strokes_;
   std::span<const Shape> drawn_;
   const Form& form_;
   const std::vector<kanji::AlternativeOrder>& orders_;
@@ -298,22 +300,37 @@ class Judge {
   int out_of_turn_ = 0;
 };
 
+Extent extent_of(const GradeOptions& options) {
+  return options.unfinished ? Extent::beginning : Extent::whole;
+}
+
+Grade judge_main_form(std::span<const Shape> drawn, const std::optional<Affine>& box,
+                      const ModelInside& model, const GradeOptions& options) {
+  StrokeComparer strokes(drawn, model.main.shapes, model.main.pairs);
+  return Judge(strokes, align(strokes, box, extent_of(options)), model.main, model.orders, options).run();
+}
+
+/// What is accepted as another form.
+std::optional<Grade> accepted_as(const Form& form, std::span<const Shape> drawn,
+                                 const std::optional<Affine>& box, const GradeOptions& options) {
+  if (!options.unfinished && drawn.size() != form.shapes.size()) return {};
+  StrokeComparer strokes(drawn, form.shapes, form.pairs);
+  const bool order_counts = options.strictness > kOrderIsAdvice;
+  if (!options.unfinished && order_counts && is_one_wrong_in_order(strokes, box)) return {};
+  Judge judge(strokes, align(strokes, box, extent_of(options)), form, no_orders, options);
+  judge.demand(kOtherForm);
+  auto grade = judge.run();
+  return grade.accepted ? std::optional(std::move(grade)) : std::nullopt;
+}
+
 }  // namespace
 
 Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& box, const ModelInside& model,
                    const GradeOptions& options, std::span<const Model> lookalikes) {
-  auto best = Judge(drawn, box, model.main, model.orders, options).run();
-  if (!best.accepted) {
-    for (const auto& variant : model.variants) {
-      if (!options.unfinished && variant.shapes.size() != drawn.size()) continue;
-      Judge judge(drawn, box, variant, no_orders, options);
-      judge.demand(kOtherForm);
-      auto other = judge.run();
-      if (other.accepted) {
-        best = std::move(other);
-        break;
-      }
-    }
+  auto best = judge_main_form(drawn, box, model, options);
+  for (const auto& variant : model.variants) {
+    if (best.accepted) break;
+    if (auto other = accepted_as(variant, drawn, box, options)) best = std::move(*other);
   }
   if (best.accepted && !options.unfinished && !best.alternative && best.variant.empty() &&
       drawn.size() == model.main.shapes.size()) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "alignment.h"
 #include "nazori/writing/grade.h"
+#include "stroke_comparer.h"
 
 namespace nazori::writing {
 
@@ -22,13 +22,6 @@ struct StandingOut {
   float offset_y = 0;
 };
 
-/// Of the stroke of `links[own]`. `left_out`, one for each link, are strokes whose word does not count
-/// either. nullopt where no other stroke is left, or where the stroke was joined or split.
-[[nodiscard]] std::optional<StandingOut> standing_out(std::size_t own, std::span<const Link> links,
-                                                      std::span<const Shape> drawn,
-                                                      std::span<const Shape> model, const Affine& map,
-                                                      const std::vector<bool>& left_out);
-
 /// A stroke that is so different from the others' scale that it is worth a word.
 struct Conspicuous {
   std::size_t link = 0;
@@ -38,11 +31,11 @@ struct Conspicuous {
 };
 
 /// The strokes that stand out, the most conspicuous first; each is left out before the others are looked at
-/// again. `tolerance` scales the limits: 1 at normal strictness.
+/// again. A stroke that was joined or split, or the only one, does not stand out. `tolerance` scales the
+/// limits: 1 at normal strictness.
 /// @source the limits: what 99 % of the strokes of three sets of real writing keep, docs/writing.md.
-[[nodiscard]] std::vector<Conspicuous> conspicuous_strokes(std::span<const Link> links,
-                                                           std::span<const Shape> drawn,
-                                                           std::span<const Shape> model, const Affine& map,
+[[nodiscard]] std::vector<Conspicuous> conspicuous_strokes(StrokeComparer& strokes,
+                                                           std::span<const Link> links, const Affine& map,
                                                            double tolerance);
 
 }  // namespace nazori::writing

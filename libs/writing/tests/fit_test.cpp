@@ -133,7 +133,7 @@ TEST(Fit, WhatNoStrokeTellsIsAsExpected) {
 }
 
 TEST(Fit, WithoutStrokesOrWeightIsNoMapAtAll) {
-  expect_near(fit({}, 5), {}, 0);
+  expect_near(fit(std::span<const FitPair>(), 5), {}, 0);
   const auto bar = line({10, 90}, {50, 50}).whole;
   const std::vector<FitPair> pairs{{&bar, &bar, false, 0}};
   expect_near(fit(pairs, 5), {}, 0);
