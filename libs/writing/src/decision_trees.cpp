@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace nazori::writing {
 namespace {
@@ -17,59 +18,83 @@ std::uint32_t number(std::span<const unsigned char> bytes) {
   return n;
 }
 
+struct Node {
+  std::uint8_t feature = 0;
+  std::uint16_t right = 0;
+  float value = 0;
+
+  explicit Node(std::span<const unsigned char> bytes)
+      : feature(bytes[0]),
+        right(static_cast<std::uint16_t>(number(bytes.subspan(1, 2)))),
+        value(std::bit_cast<float>(number(bytes.subspan(3, 4)))) {}
+  [[nodiscard]] bool is_answer() const { return feature == kAnswer; }
+  [[nodiscard]] bool is_good(std::size_t features) const {
+    return std::isfinite(value) && is_answer() == (right == 0) && (is_answer() || feature < features);
+  }
+};
+
+/// The bits from `first` up to before `end`.
+std::uint16_t bits(std::size_t first, std::size_t end) {
+  return static_cast<std::uint16_t>((1U << end) - (1U << first));
+}
+
 }  // namespace
 
 std::optional<DecisionTrees> DecisionTrees::read(std::span<const unsigned char> bytes, std::size_t features) {
   if (bytes.size() % kNodeSize != 0) return {};
   DecisionTrees trees;
-  struct Awaited {
-    std::size_t at;
-    std::uint32_t level;
+  std::vector<std::vector<Question>> by_feature(features);
+  struct Asked {  // a question whose right child must still come
+    std::size_t right;
+    Node node;
+    std::size_t first_answer;  // of the tree's
   };
-  std::vector<Awaited> awaited;  // right children that must still come, the nearest last
-  std::uint32_t level = 0;
+  std::vector<Asked> asked;  // the nearest right child last
   bool is_root = true;
   for (std::size_t at = 0; at * kNodeSize < bytes.size(); ++at) {
-    const auto from = bytes.subspan(at * kNodeSize, kNodeSize);
-    const std::uint8_t feature = from[0];
-    const auto right = static_cast<std::uint16_t>(number(from.subspan(1, 2)));
-    const auto value = std::bit_cast<float>(number(from.subspan(3, 4)));
-    const bool is_answer = feature == kAnswer;
-    if (!std::isfinite(value) || is_answer != (right == 0) || (!is_answer && feature >= features)) return {};
-    if (is_root) {
-      trees.trees_.push_back({static_cast<std::uint32_t>(at), 0});
-      level = 0;
-    }
-    is_root = is_answer && awaited.empty();
-    if (!is_answer) {
-      trees.nodes_.push_back({value, right, 1, feature});
-      trees.answers_.push_back(0);
-      awaited.push_back({at + right, ++level});
+    const Node node(bytes.subspan(at * kNodeSize, kNodeSize));
+    if (!node.is_good(features)) return {};
+    if (is_root) trees.first_answer_.push_back(trees.answers_.size());
+    const std::size_t given = trees.answers_.size() - trees.first_answer_.back();
+    is_root = node.is_answer() && asked.empty();
+    if (!node.is_answer()) {
+      asked.push_back({at + node.right, node, given});
       continue;
     }
-    trees.nodes_.push_back({});
-    trees.answers_.push_back(value);
-    trees.trees_.back().depth = std::max(trees.trees_.back().depth, level);
-    if (awaited.empty()) continue;
-    if (awaited.back().at != at + 1) return {};
-    level = awaited.back().level;
-    awaited.pop_back();
+    if (given == kMostAnswers) return {};
+    trees.answers_.push_back(node.value);
+    if (asked.empty()) continue;
+    const auto& question = asked.back();
+    if (question.right != at + 1) return {};
+    by_feature[question.node.feature].push_back({question.node.value,
+                                                 static_cast<std::uint16_t>(trees.first_answer_.size() - 1),
+                                                 bits(question.first_answer, given + 1)});
+    asked.pop_back();
   }
-  if (!is_root) return {};  // the last tree has no end
+  if (!is_root || trees.first_answer_.size() > std::numeric_limits<std::uint16_t>::max()) return {};
+  for (auto& questions : by_feature) {
+    trees.first_question_.push_back(trees.questions_.size());
+    std::stable_sort(questions.begin(), questions.end(),
+                     [](const Question& a, const Question& b) { return a.limit < b.limit; });
+    trees.questions_.insert(trees.questions_.end(), questions.begin(), questions.end());
+  }
+  trees.first_question_.push_back(trees.questions_.size());
   return trees;
 }
 
 float DecisionTrees::answer(std::span<const float> features) const {
-  float sum = 0;
-  for (const auto& tree : trees_) {
-    std::size_t at = tree.root;
-    // Always to the full depth: the processor need not guess where a tree ends, and works on several at once.
-    for (std::uint32_t k = 0; k < tree.depth; ++k) {
-      const Node& node = nodes_[at];
-      at += features[node.feature] <= node.limit ? node.left : node.right;
+  std::vector<std::uint16_t> ruled_out(count(), 0);
+  for (std::size_t f = 0; f + 1 < first_question_.size(); ++f) {
+    for (std::size_t k = first_question_[f]; k < first_question_[f + 1]; ++k) {
+      const auto& question = questions_[k];
+      if (features[f] <= question.limit) break;
+      ruled_out[question.tree] |= question.left;
     }
-    sum += answers_[at];
   }
+  // The first answer that no question rules out is the one to which the tree leads.
+  float sum = 0;
+  for (std::size_t tree = 0; tree < count(); ++tree)
+    sum += answers_[first_answer_[tree] + static_cast<std::size_t>(std::countr_one(ruled_out[tree]))];
   return sum;
 }
 
