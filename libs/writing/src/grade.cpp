@@ -354,6 +354,7 @@ base::Result<Prepared> prepare(const WrittenCharacter& ink, const GradeOptions& 
   if (!(options.strictness >= 0 && options.strictness <= 1))
     return base::fail(base::Errc::bad_argument, "must be between 0 and 1", "strictness");
   Prepared p;
+  p.drawn.reserve(ink.strokes.size());
   for (const auto& s : ink.strokes) p.drawn.push_back(make_shape<WritingFrame>(geometry::line_of(s)));
   if (ink.box) p.box = box_map(*ink.box);
   return p;

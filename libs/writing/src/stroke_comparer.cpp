@@ -174,15 +174,43 @@ StrokeDifference StrokeComparer::compare_with_pair(std::size_t drawn, std::size_
   return compare_with(pair_side(), drawn, pair, far);
 }
 
-float StrokeComparer::least_cost(std::size_t drawn, std::size_t model) {
-  const auto least = [&](std::size_t part) {
-    float cost = cost_of_place(parts_[part].laid, side_.parts[model].summary);
-    if (const auto body = side_.bodies[model]; body != kNone)
-      cost = std::min(cost, cost_of_place(parts_[part].laid, side_.parts[body].summary));
-    return cost;
+float StrokeComparer::least_of(const StrokeSummary& laid, const Side& side, std::size_t model) const {
+  const float whole = cost_of_place(laid, side.parts[model].summary);
+  const auto body = side.bodies[model];
+  return body == kNone ? whole : std::min(whole, cost_of_place(laid, side.parts[body].summary));
+}
+
+float StrokeComparer::least_with(const Side& side, std::size_t drawn, std::size_t model) const {
+  const float whole = least_of(parts_[drawn].laid, side, model);
+  const auto body = bodies_[drawn];
+  return body == kNone ? whole : std::min(whole, least_of(parts_[body].laid, side, model));
+}
+
+float StrokeComparer::least_cost(std::size_t drawn, std::size_t model) const {
+  return least_with(side_, drawn, model);
+}
+
+float StrokeComparer::least_cost_with_pair(std::size_t drawn, std::size_t pair) {
+  return least_with(pair_side(), drawn, pair);
+}
+
+bool StrokeComparer::is_as_long_as_pair(std::size_t drawn, std::size_t pair) {
+  constexpr float kSlack = 0.2F;
+  const float own = measured(drawn).length_log;
+  const auto ratio = [own](const ModelPart& part) { return std::abs(own - part.summary.stroke.length_log); };
+  return ratio(pair_side().parts[pair]) <=
+         std::min(ratio(side_.parts[pair]), ratio(side_.parts[pair + 1])) + kSlack;
+}
+
+float StrokeComparer::least_cost_of_joined(std::size_t drawn, std::size_t model) {
+  const auto& both = joined_drawn(drawn);
+  const auto least = [&](const Samples& samples) {
+    StrokeSummary laid;
+    laid.x = samples.centre_x;
+    laid.y = samples.centre_y;
+    return least_of(laid, side_, model);
   };
-  const float whole = least(drawn);
-  return bodies_[drawn] == kNone ? whole : std::min(whole, least(bodies_[drawn]));
+  return both.body ? std::min(least(both.whole), least(*both.body)) : least(both.whole);
 }
 
 const Shape& StrokeComparer::joined_drawn(std::size_t k) {

@@ -35,7 +35,11 @@ class StrokeComparer {
   /// The cost of that alone; strokes far apart are not looked at.
   [[nodiscard]] float cost(std::size_t drawn, std::size_t model, float far);
   /// What the difference costs at least: that of the places.
-  [[nodiscard]] float least_cost(std::size_t drawn, std::size_t model);
+  [[nodiscard]] float least_cost(std::size_t drawn, std::size_t model) const;
+  [[nodiscard]] float least_cost_with_pair(std::size_t drawn, std::size_t pair);
+  /// Whether the drawn stroke is rather as long as both strokes of a pair than as one of them.
+  [[nodiscard]] bool is_as_long_as_pair(std::size_t drawn, std::size_t pair);
+  [[nodiscard]] float least_cost_of_joined(std::size_t drawn, std::size_t model);
   /// Drawn strokes k and k + 1 written without lifting the pen.
   [[nodiscard]] const Shape& joined_drawn(std::size_t k);
   /// The whole drawn stroke.
@@ -98,6 +102,8 @@ class StrokeComparer {
   const Products& products(Side& side, std::size_t part, std::size_t model_part, bool reversed);
   CentredDifference centred(Side& side, std::size_t part, std::size_t model_part);
   Best best_of(Side& side, std::size_t drawn, std::size_t model);
+  [[nodiscard]] float least_of(const StrokeSummary& laid, const Side& side, std::size_t model) const;
+  [[nodiscard]] float least_with(const Side& side, std::size_t drawn, std::size_t model) const;
   StrokeDifference compare_with(Side& side, std::size_t drawn, std::size_t model, float far);
   PairMoments moments_with(Side& side, std::size_t drawn, std::size_t model, bool reversed);
 

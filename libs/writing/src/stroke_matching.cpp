@@ -11,15 +11,9 @@
 namespace nazori::writing {
 namespace {
 
-/// A line that is two strokes written without lifting the pen is about as long as both, and leads from where
-/// the first starts to where the second ends. Else it is one of the two, and the other is missing.
+/// Whether a line leads from where the first stroke starts to where the second ends.
 bool goes_through_both(const Samples& drawn, const Samples& both, const Samples& first,
                        const Samples& second) {
-  const auto ratio = [&drawn](const Samples& model) {
-    return std::abs(std::log((drawn.length + kLengthFloor) / (model.length + kLengthFloor)));
-  };
-  constexpr float kSlack = 0.2F;
-  if (ratio(both) > std::min(ratio(first), ratio(second)) + kSlack) return false;
   const auto at = [](const Samples& samples, std::size_t k) {
     return geometry::GlyphPoint{static_cast<double>(samples.x[k]), static_cast<double>(samples.y[k])};
   };
@@ -127,15 +121,19 @@ void StrokeMatching::try_match(std::size_t i, std::size_t j, float here) {
   improve(i + 1, j + 1, here + match_cost(i, j), Move::match);
 }
 
+/// A line that is two strokes written without lifting the pen is about as long as both, and leads from where
+/// the first starts to where the second ends. Else it is one of the two, and the other is missing.
 void StrokeMatching::try_join(std::size_t i, std::size_t j, float here) {
   const auto pairs = strokes_.pairs();
   if (j >= pairs.size() || n_ >= m_ + 1 || here + kJoined >= cell(i + 1, j + 2).cost ||
       here + kJoined + rest(i + 1, j + 2) > enough_)
     return;
+  constexpr float kAccept = kAcceptCost * 1.5F;
+  if (strokes_.least_cost_with_pair(i, j) >= kAccept || !strokes_.is_as_long_as_pair(i, j)) return;
   // Only where one alone does not explain it.
   if (cost(i, j) <= 2) return;
   const auto e = strokes_.compare_with_pair(i, j, kFar);
-  if (e.reversed || e.cost >= kAcceptCost * 1.5F) return;
+  if (e.reversed || e.cost >= kAccept) return;
   if (goes_through_both(strokes_.laid_line(i), pairs[j].whole, strokes_.model()[j].whole,
                         strokes_.model()[j + 1].whole))
     improve(i + 1, j + 2, here + e.cost + kJoined, Move::join);
@@ -145,7 +143,7 @@ void StrokeMatching::try_split(std::size_t i, std::size_t j, float here) {
   if (i + 1 >= n_ || n_ <= m_ || here + kSplit >= cell(i + 2, j + 1).cost ||
       here + kSplit + rest(i + 2, j + 1) > enough_)
     return;
-  if (cost(i, j) <= 2) return;
+  if (strokes_.least_cost_of_joined(i, j) >= kAcceptCost || cost(i, j) <= 2) return;
   const auto e = compare(strokes_.joined_drawn(i), strokes_.model()[j], kFar);
   if (!e.reversed && e.cost < kAcceptCost) improve(i + 2, j + 1, here + e.cost + kSplit, Move::split);
 }
