@@ -118,11 +118,14 @@ double cost_of(const KnownCharacters& all, const Drawn& drawn, const Listed& lis
   return least - w.spread * std::log(sum);
 }
 
-/// Of two that look the same the kanji comes before the kana (ニ and 二).
+/// Of two that look the same the kanji comes before the kana (ニ and 二), but a part that hardly anybody
+/// looks for does not (イ and 亻).
 void put_kanji_first(const KnownCharacters& all, std::vector<Scored>& scored) {
   constexpr float kTwin = 0.87F;
+  constexpr int kUsual = 3285;  // places of Jōyō and Jinmeiyō kanji lie below
   for (auto& kanji : scored) {
-    if (!is_among(all.characters()[kanji.index].code_point, Among::kanji)) continue;
+    const auto& known = all.characters()[kanji.index];
+    if (!is_among(known.code_point, Among::kanji) || known.place >= kUsual) continue;
     for (const auto& kana : scored)
       if (is_among(all.characters()[kana.index].code_point, Among::kana) && kana.cost < kanji.cost &&
           likeness(all.forms()[kanji.index].embedding, all.forms()[kana.index].embedding) > kTwin)

@@ -90,6 +90,19 @@ TEST(Recogniser, OfCharactersOfTheSameStrokesKanjiComeBeforeKanaAndThoseBeforeSi
   EXPECT_EQ(names({1, false}), kanji.substr(0, 1));
 }
 
+TEST(Recogniser, OfTwoThatLookTheSameTheKanjiComesFirstUnlessHardlyAnybodyLooksForIt) {
+  constexpr std::size_t kUsual = 3285;
+  for (const std::size_t place : {kUsual - 1, kUsual}) {
+    std::vector<kanji::Character> characters(place + 1);
+    characters.front() = soil();
+    characters.front().code_point = U'ア';
+    characters.back() = soil();
+    const auto recogniser = Recogniser::make(characters);
+    ASSERT_TRUE(recogniser);
+    EXPECT_EQ(first(*recogniser, trace(soil())), place < kUsual ? U'土' : U'ア');
+  }
+}
+
 TEST(Recogniser, LikenessIsNearOneForTheModelAndFallsWithTheCost) {
   const auto found = small().recognise(trace(rest()));
   ASSERT_TRUE(found);
