@@ -119,15 +119,16 @@ double cost_of(const KnownCharacters& all, const Drawn& drawn, const Listed& lis
 }
 
 /// Of two that look the same the kanji comes before the kana (ニ and 二), but a part that hardly anybody
-/// looks for does not (イ and 亻).
+/// looks for does not come before a kana that many look for (イ and 亻).
 void put_kanji_first(const KnownCharacters& all, std::vector<Scored>& scored) {
   constexpr float kTwin = 0.87F;
-  constexpr int kUsual = 3285;  // places of Jōyō and Jinmeiyō kanji lie below
+  constexpr int kUsual = 3285;  // places of kana, Jōyō and Jinmeiyō kanji lie below
+  const auto is_usual = [&](const Scored& s) { return all.characters()[s.index].place < kUsual; };
   for (auto& kanji : scored) {
-    const auto& known = all.characters()[kanji.index];
-    if (!is_among(known.code_point, Among::kanji) || known.place >= kUsual) continue;
+    if (!is_among(all.characters()[kanji.index].code_point, Among::kanji)) continue;
     for (const auto& kana : scored)
       if (is_among(all.characters()[kana.index].code_point, Among::kana) && kana.cost < kanji.cost &&
+          (is_usual(kanji) || !is_usual(kana)) &&
           likeness(all.forms()[kanji.index].embedding, all.forms()[kana.index].embedding) > kTwin)
         kanji.cost = kana.cost;
   }
