@@ -27,8 +27,9 @@ using Field = std::array<Amount, kCells>;
 
 /// What a neighbouring tile needs of one side of a tile, as it was before the step.
 struct Edge {
-  std::array<Amount, kTile> fibre{}, water{};
+  std::array<Amount, kTile> surface{}, fibre{};
   std::array<std::array<Amount, kTile>, kSlots> moving{};
+  std::uint32_t slots = 0;  ///< bit k: moving[k] holds something
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
@@ -45,14 +46,17 @@ struct Tile {
   alignas(64) Field surface{}, fibre{};
   std::array<Field, kSlots> moving{}, fixed{};
   std::array<std::uint16_t, std::size_t{kPadded} * kPadded> height{}, density{};
-  std::array<Edge, 4> edges{};
+  std::array<std::array<Edge, 4>, 2> edges{};  ///< of this step and of the next one, see shown
   std::unique_ptr<Ground> ground;
   TotalAmount evaporated = 0;
   std::uint64_t version = 0;       ///< another number after every change of a field
   std::uint8_t slots = 0;          ///< bit k: moving[k] or fixed[k] may hold something
   bool is_wet = false;             ///< any water
   bool has_changed = false;        ///< since its edges were published
+  bool has_next_edges = false;     ///< as the fields are now
+  std::uint8_t shown = 0;          ///< which of the edges are those of this step
   std::uint8_t edges_changed = 0;  ///< bit of each Side: for this step
+  std::uint8_t next_changed = 0;   ///< likewise, for the next one
 };
 
 /// Numbers of the paper, as the step needs them.
@@ -91,6 +95,7 @@ struct Sheet::Inside {
   }
   void touch_tile(Tile& tile) {
     tile.has_changed = true;
+    tile.has_next_edges = false;
     tile.version = ++versions;
   }
   /// Makes the fixed pigment of a cell part of the ground.
@@ -101,7 +106,12 @@ struct Sheet::Inside {
   void settle(Tile& tile);
 };
 
-/// Copies the sides of a tile into its edges and notes which of them changed.
+[[nodiscard]] inline const Edge& shown_edge(const Tile& tile, Side side) {
+  return tile.edges[tile.shown][side];
+}
+/// Copies the sides of a tile into its edges for the next step and notes which of them changed.
+void prepare_edges(Tile& tile);
+/// Makes them those of this step.
 void publish_edges(Tile& tile);
 /// One step of a tile. @param neighbours  the edges that face it; nullptr at the border of the sheet.
 /// @return whether anything changed.

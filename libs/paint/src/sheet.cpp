@@ -72,6 +72,8 @@ void cover_tile(const Sheet::Inside& sheet, Tile& tile) {
 void run_tile(Sheet::Inside& sheet, Tile& tile, const std::array<const Edge*, 4>& edges) {
   const bool was_wet = tile.is_wet;
   tile.has_changed = step_tile(sheet.rules, tile, edges);
+  // The fields are still in the cache.
+  if (tile.has_changed) prepare_edges(tile);
   if (!was_wet && tile.is_wet) cover_tile(sheet, tile);
 }
 
@@ -259,7 +261,7 @@ void Sheet::step(const StepOptions& options) {
     if (options.sleep && !tile.has_changed && !faces_change(neighbours)) continue;
     Work one{&tile, {}};
     for (std::size_t side = 0; side < 4; ++side)
-      one.edges[side] = neighbours[side] != nullptr ? &neighbours[side]->edges[kFacing[side]] : nullptr;
+      one.edges[side] = neighbours[side] != nullptr ? &shown_edge(*neighbours[side], kFacing[side]) : nullptr;
     work.push_back(one);
   }
   const auto run = [&](std::size_t first, std::size_t last) {

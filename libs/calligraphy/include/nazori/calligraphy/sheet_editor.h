@@ -57,7 +57,7 @@ struct BrushShape {
 /// in the order of the calls, so the same calls give the same bytes. Thread rules: one thread at a time.
 class SheetEditor {
  public:
-  /// Sheets before this one that undo can bring back; each takes up to 40 MiB.
+  /// Sheets before this one that undo can bring back; each takes up to 42 MiB.
   static constexpr std::size_t kEarlierSheets = 2;
 
   /// An empty sheet and a brush full of sumi. @param cells  as for paint::Sheet::create().

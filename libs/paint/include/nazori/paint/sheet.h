@@ -46,7 +46,7 @@ struct StepOptions {
 /// Frames: PaperFrame in metres, or column and row with row 0 at the top. Water and pigment are whole numbers
 /// that only move: what a cell gives another cell takes, what dries is counted by evaporated(). So their sums
 /// are constant to the last unit. The same calls give the same bytes, on 1 or 2 threads.
-/// Thread rules: one thread at a time. Memory: about 40 KiB a tile, 40 MiB for 1024 x 1024 cells.
+/// Thread rules: one thread at a time. Memory: about 42 KiB a tile, 42 MiB for 1024 x 1024 cells.
 class Sheet {
  public:
   static constexpr double kSide_m = 0.1024;
