@@ -10,6 +10,8 @@
 namespace nazori::practice {
 namespace {
 
+/// A mouse presses the hand of a simulated device as hard: about 4 mm deep.
+constexpr double kMousePressure = 0.3;
 /// Steps of the wetness that are told to the device.
 constexpr double kWetnessStep = 0.1;
 /// How far a held stylus may be above the paper and still be shown as a brush over it.
@@ -73,7 +75,7 @@ bool FeltSheet::has_no_hand() const {
 }
 
 void FeltSheet::move_hand(geometry::PaperPoint at, bool is_down, std::optional<double> pressure) {
-  tablet_.move_stylus({at.x, at.y}, is_down, pressure);
+  tablet_.move_stylus({at.x, at.y}, is_down, pressure.value_or(kMousePressure));
 }
 
 void FeltSheet::set_brush(const brush::TuftForm& form) { preparing_.request(form); }

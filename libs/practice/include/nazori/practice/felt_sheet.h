@@ -36,7 +36,7 @@ class FeltSheet {
   [[nodiscard]] bool is_felt() const { return entered_ && tablet_.can_lead(); }
   /// Whether the device has no hand of its own: move_hand() moves it.
   [[nodiscard]] bool has_no_hand() const;
-  /// Moves the hand that holds a simulated device. @param pressure  as for TabletControl::move_stylus().
+  /// Moves the hand that holds a simulated device. @param pressure  0..1 of a pen; nothing for a mouse.
   void move_hand(geometry::PaperPoint at, bool is_down, std::optional<double> pressure);
 
   /// Another brush. What it feels like is computed on another thread; until then the old one is felt.
