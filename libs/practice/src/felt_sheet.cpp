@@ -95,11 +95,12 @@ void FeltSheet::set_tilt(double lean_rad, double lean_to_rad) {
   if (std::exchange(lean_rad_, lean_rad) != lean_rad) hand_over();
 }
 
-void FeltSheet::lead(std::span<const brush::PenSample> hand) {
-  if (!table_) return;
+bool FeltSheet::lead(std::span<const brush::PenSample> hand) {
+  if (!is_felt() || !table_) return false;
   led_ = paths_of(hand, table_->form().hair_m);
   ++led_times_;
   hand_over();
+  return is_leading();
 }
 
 void FeltSheet::stop_leading() {

@@ -53,14 +53,17 @@ class Sheet : public testing::Test {
   }
   /// The force once it does not change any more.
   double force_n() {
-    double before = -1;
+    constexpr std::uint64_t kCalmTicks = 60;
+    double calm_n = -1;
+    std::uint64_t since = 0;
     EXPECT_TRUE(wait_for([&] {
       const double now = script_->force_n;
-      const bool settled = std::abs(now - before) < 1e-6;
-      before = now;
-      return settled;
+      const std::uint64_t ticks = script_->ticks;
+      if (std::abs(now - calm_n) > 1e-6) since = ticks;
+      calm_n = now;
+      return ticks > since + kCalmTicks;
     }));
-    return before;
+    return calm_n;
   }
   static double push_n(double depth_m, brush::Feel feel) {
     const brush::ForceTable table(form());
@@ -181,7 +184,7 @@ TEST_F(Sheet, LeavingEndsTheStrokeAndGivesTheTabletBack) {
   hold(0, 0, -0.003);
   EXPECT_EQ(force_n(), 0) << "in the groove";
   hold(0.03, 0.03, -0.003);
-  EXPECT_GT(force_n(), 1.5) << "on the plateau, which is hard";
+  EXPECT_GT(force_n(), 2 * push_n(0.003, brush::Feel::strengthened)) << "on the plateau, which is hard";
   EXPECT_TRUE(pens_.empty());
   sheet_.leave();
   EXPECT_EQ(lost_, 1);
@@ -266,7 +269,7 @@ TEST_F(Sheet, ATeacherLeadsTheHandAlongItsStrokes) {
     for (int i = 0; i <= 20; ++i) add(-0.02 + 0.002 * i, y, true);
     add(0.02, y, false);
   }
-  sheet_.lead(hand);
+  EXPECT_TRUE(sheet_.lead(hand));
   EXPECT_TRUE(sheet_.is_leading());
   // At the start of the first stroke, but beside it: the teacher pulls there.
   hold(-0.02, 0.012, 0.002);
@@ -292,17 +295,15 @@ TEST_F(Sheet, LeadingCanBeStoppedAndEndsOnLeaving) {
   std::vector<brush::PenSample> hand(3);
   hand[1].at.x = 0.02;
   hand[2].at.x = 0.03;
-  sheet_.lead(hand);
-  EXPECT_TRUE(sheet_.is_leading());
+  EXPECT_TRUE(sheet_.lead(hand));
   sheet_.stop_leading();
   EXPECT_FALSE(sheet_.is_leading());
-  sheet_.lead(hand);
+  EXPECT_TRUE(sheet_.lead(hand));
   sheet_.leave();
   EXPECT_FALSE(sheet_.is_leading());
-  // One point is no stroke.
+  EXPECT_FALSE(sheet_.lead(hand)) << "nothing is felt";
   sheet_.enter();
-  sheet_.lead(std::span(hand).first(1));
-  EXPECT_FALSE(sheet_.is_leading());
+  EXPECT_FALSE(sheet_.lead(std::span(hand).first(1))) << "one point is no stroke";
 }
 
 }  // namespace

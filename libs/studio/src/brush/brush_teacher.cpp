@@ -30,12 +30,10 @@ void BrushPage::begin_hand(std::vector<brush::PenSample> hand) {
   if (!std::exchange(awaits_hand_, false) || hand.empty()) return;
   int strokes = 0;
   for (std::size_t i = 1; i < hand.size(); ++i) strokes += hand[i].down && !hand[i - 1].down ? 1 : 0;
-  if (felt_.is_felt()) {
-    felt_.lead(hand);
+  if (felt_.lead(hand))
     return parts().announce(
         Feedback::hint,
         tr("Hold the stylus loosely: it leads your hand through %n strokes. V: stop.", nullptr, strokes));
-  }
   hand_ = std::move(hand);
   hand_next_ = 0;
   hand_begins_s_ = paper_->pen_clock_s();

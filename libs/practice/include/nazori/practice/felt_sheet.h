@@ -51,7 +51,8 @@ class FeltSheet {
 
   /// Leads the hand along the strokes of a teacher, who waits where the learner resists. Ends by led(), or by
   /// stop_leading(). @param hand  as calligraphy::teacher_hand() gives it, with pressures.
-  void lead(std::span<const brush::PenSample> hand);
+  /// @return false where no device is felt, or there is no stroke to lead along.
+  bool lead(std::span<const brush::PenSample> hand);
   void stop_leading();
   [[nodiscard]] bool is_leading() const { return !led_.empty(); }
 
