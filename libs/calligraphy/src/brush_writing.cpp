@@ -99,7 +99,7 @@ void BrushWriting::flush(int steps) {
 void BrushWriting::move_pen(const brush::PenSample& sample) {
   samples_.push_back(sample);
   last_ = sample;
-  is_down_ = sample.down;
+  is_down_ = sample.is_down();
   rests_ = false;
 }
 
@@ -107,6 +107,7 @@ void BrushWriting::lift_pen() {
   if (!is_down_) return;
   brush::PenSample up = last_;
   up.down = false;
+  up.height_m.reset();
   move_pen(up);
 }
 

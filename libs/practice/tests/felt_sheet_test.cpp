@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 
 #include "nazori/devices/device_catalogue.h"
 #include "running_tablet.h"
@@ -269,11 +272,16 @@ TEST_F(Sheet, ATeacherLeadsTheHandAlongItsStrokes) {
     for (int i = 0; i <= 20; ++i) add(-0.02 + 0.002 * i, y, true);
     add(0.02, y, false);
   }
+  // At the start of the first stroke, but beside it: the teacher pulls there, and gives up as the arm
+  // resists.
+  hold(-0.02, 0.012, 0.002);
+  double pulled_n = 0;
+  const auto watching = tablet_.sampled.connect([&](std::span<const haptics::ServoSample> samples) {
+    for (const auto& one : samples) pulled_n = std::min(pulled_n, one.force_n.y);
+  });
   EXPECT_TRUE(sheet_.lead(hand));
   EXPECT_TRUE(sheet_.is_leading());
-  // At the start of the first stroke, but beside it: the teacher pulls there.
-  hold(-0.02, 0.012, 0.002);
-  ASSERT_TRUE(wait_for([this] { return tablet_.latest().force_n.y < -0.02; }));
+  ASSERT_TRUE(wait_for([&] { return pulled_n < -0.02; }));
   const double depth_m = 0.5 * brush::Handling{}.full_depth * form().hair_m;
   for (const double y : {0.01, -0.01}) {
     hold(-0.02, y, 0.01);

@@ -86,7 +86,7 @@ TEST_F(BrushDeviceTest, ATeacherLeadsTheHandThroughTheModel) {
   open_device();
   actions().watch->trigger();
   wait_until([this] { return !said_.isEmpty(); });
-  EXPECT_EQ(all_said(), "Hold the stylus loosely: it leads your hand through 1 stroke. V: stop.");
+  EXPECT_EQ(all_said(), "Hold the stylus loosely: it leads your hand through 1 strokes. V: stop.");
   EXPECT_EQ(by(actions().watch), "Stopped.");
   actions().watch->trigger();
   wait_until([this] { return all_said().contains("Hold the stylus"); });

@@ -68,7 +68,7 @@ TEST_F(ActionsOfTheStudio, OfTheBrushAreInTheMenusOfWhatTheyChange) {
   ASSERT_EQ(groups.size(), 5);
   EXPECT_EQ(names(groups[0].actions),
             QStringLiteral("brush_ink brush_water brush_wipe - brush_thicker brush_thinner brush_hair "
-                           "brush_ink_colour - brush_guess brush_left_hand brush_shown"));
+                           "brush_ink_colour - brush_guess brush_left_hand brush_strengthen brush_shown"));
   EXPECT_EQ(names(groups[1].actions),
             QStringLiteral("brush_undo brush_redo - brush_dry brush_new brush_paper - brush_describe "
                            "brush_advice - brush_png brush_carve - brush_tools"));
@@ -81,10 +81,9 @@ TEST_F(ActionsOfTheStudio, OfTheBrushAreInTheMenusOfWhatTheyChange) {
   EXPECT_EQ(names(groups[4].actions),
             QStringLiteral("brush_review brush_go_on - brush_again brush_hard brush_good brush_easy - "
                            "brush_undo_rating - brush_skip brush_end"));
-  EXPECT_EQ(
-      those(actions, checkable),
-      QStringLiteral("brush_guess brush_left_hand brush_shown brush_advice brush_tools brush_model_none "
-                     "brush_model_beneath brush_model_beside brush_by_key"));
+  EXPECT_EQ(those(actions, checkable), QStringLiteral("brush_guess brush_left_hand brush_strengthen "
+                                                      "brush_shown brush_advice brush_tools brush_model_none "
+                                                      "brush_model_beneath brush_model_beside brush_by_key"));
   actions.draw_icons();
   EXPECT_EQ(
       those(actions, drawn),

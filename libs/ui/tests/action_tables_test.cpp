@@ -318,6 +318,7 @@ brush_ink_colour C
 -
 *brush_guess G
 *brush_left_hand L
+*brush_strengthen Shift+F
 *brush_shown B
 [Sheet]
 brush_undo Ctrl+Z Backspace
