@@ -100,8 +100,8 @@ class SheetEditor {
   [[nodiscard]] std::vector<std::uint8_t> bytes() const;
   [[nodiscard]] base::Result<void> save(const std::filesystem::path& path);
   /// Takes the sheet of a file, with its strokes. undo() brings the old one back, and none of them alone.
-  /// @return the errors of paint::load_sheet(), Errc::parse for strokes that no brush writes; then nothing has
-  /// changed.
+  /// @return the errors of paint::load_sheet(), Errc::parse for strokes that no brush writes; then nothing
+  /// has changed.
   [[nodiscard]] base::Result<void> open(const std::filesystem::path& path);
   /// The picture of the sheet as a PNG, written beside and renamed.
   [[nodiscard]] base::Result<void> save_png(const std::filesystem::path& path);
