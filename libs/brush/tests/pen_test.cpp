@@ -36,6 +36,18 @@ TEST(PenToHolder, TheHeightOfADeviceIsTakenAsItIs) {
   EXPECT_DOUBLE_EQ(holder.next(sample).depth_m, 0.004);
 }
 
+TEST(PenSample, LiftedItIsUpThoughItsDeviceWasBelowThePaper) {
+  PenSample sample = pen(3, 0.01, 0.4);
+  sample.height_m = -0.002;
+  const PenSample up = sample.lifted();
+  EXPECT_FALSE(up.is_down());
+  EXPECT_FALSE(up.height_m);
+  EXPECT_EQ(up.time_s, 3);
+  EXPECT_EQ(up.at.x, 0.01);
+  EXPECT_EQ(up.pressure, 0.4);
+  EXPECT_FALSE(pen(0, 0).lifted().is_down());
+}
+
 TEST(PenSample, TheHeightOfADeviceSaysWhetherItIsDown) {
   PenSample sample = pen(0, 0);
   EXPECT_TRUE(sample.is_down());

@@ -104,11 +104,7 @@ void BrushWriting::move_pen(const brush::PenSample& sample) {
 }
 
 void BrushWriting::lift_pen() {
-  if (!is_down_) return;
-  brush::PenSample up = last_;
-  up.down = false;
-  up.height_m.reset();
-  move_pen(up);
+  if (is_down_) move_pen(last_.lifted());
 }
 
 void BrushWriting::tick(double seconds) {

@@ -171,9 +171,7 @@ void SheetEditor::move_pen(brush::PenSample sample) {
 
 void SheetEditor::lift_pen() {
   if (!brush_.pen().is_down()) return;
-  brush::PenSample up = brush_.pen();
-  up.down = false;
-  up.height_m.reset();
+  brush::PenSample up = brush_.pen().lifted();
   up.time_s += kLeastTime_s;
   move_pen(up);
 }

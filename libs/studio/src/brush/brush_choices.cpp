@@ -78,8 +78,7 @@ void BrushPage::connect_actions() {
   on(actions_->left_hand, [this](bool on) {
     choice_.left_hand = on;
     paper_->set_left_hand(on);
-    const auto tilt = calligraphy::assumed_tilt(on);
-    felt_.set_tilt(tilt.lean_rad, tilt.lean_to_rad);
+    set_feeling();
     parts().save_later();
   });
   on(actions_->show_brush, [this](bool on) {

@@ -13,8 +13,7 @@ void BrushPage::connect_device() {
   subscribe(felt_.pen_moved, this, [this](const brush::PenSample& sample) {
     clear_advice();
     writing_->move_pen(sample);
-    // As a teacher does between two strokes.
-    if (!sample.down && is_watching() && writing_->state().fullness < kDipsAt) writing_->dip_in_ink();
+    if (!sample.down && is_watching()) dip_between_strokes();
     wake();
   });
   subscribe(felt_.pen_lost, this, [this] {
@@ -30,19 +29,17 @@ void BrushPage::connect_device() {
   subscribe(felt_.led, this, [this] { tell_written(); });
   on(actions_->strengthen, [this](bool on) {
     choice_.strengthen = on;
-    felt_.set_feel(on ? brush::Feel::strengthened : brush::Feel::true_force);
+    set_feeling();
     parts().respond(Feedback::hint, on ? tr("The device pushes four times as hard as the brush.")
                                        : tr("The device pushes as hard as the brush."));
     parts().save_later();
   });
 }
 
-void BrushPage::feel_sheet() {
+void BrushPage::set_feeling() {
   const auto tilt = calligraphy::assumed_tilt(choice_.left_hand);
   felt_.set_tilt(tilt.lean_rad, tilt.lean_to_rad);
   felt_.set_feel(choice_.strengthen ? brush::Feel::strengthened : brush::Feel::true_force);
-  felt_.set_brush(calligraphy::form_of(choice_.brush));
-  felt_.enter();
 }
 
 }  // namespace nazori::ui

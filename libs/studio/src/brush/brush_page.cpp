@@ -161,13 +161,12 @@ void BrushPage::enter() {
   if (!fonts_) font_models_.list();
   request_model();
   parts().note_opened();
-  feel_sheet();
+  felt_.enter();
   parts().announce(
       Feedback::hint,
       felt_.is_felt()
           ? tr("Lower the stylus onto the sheet: you feel the brush. A button of the stylus, or I: ink. S: "
-               "what is "
-               "on the sheet.")
+               "what is on the sheet.")
           : tr("Write on the sheet with mouse, pen or finger, or by keys (M). I: ink. W: water. S: what "
                "is on the sheet."));
   wake();
@@ -189,6 +188,8 @@ void BrushPage::start_writing() {
   subscribe(writing_->drawn, this, [this](const calligraphy::BrushFrame& frame) { show_frame(frame); });
   subscribe(writing_->done, this, [this](const calligraphy::Outcome& outcome) { show_outcome(outcome); });
   writing_->set_brush(choice_.brush);
+  felt_.set_brush(calligraphy::form_of(choice_.brush));
+  set_feeling();
   starts_ = choice_.ink != "sumi" && choice_.paper != calligraphy::kWater;
   if (starts_) writing_->set_ink(choice_.ink);
   set_handling();

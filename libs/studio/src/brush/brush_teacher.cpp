@@ -8,6 +8,7 @@
 #include "nazori/widgets/page/window_parts.h"
 
 namespace nazori::ui {
+
 void BrushPage::watch_teacher() {
   if (is_watching()) {
     stop_teacher();
@@ -51,11 +52,16 @@ void BrushPage::move_hand(double seconds) {
     sample.time_s += hand_begins_s_;
     writing_->move_pen(sample);
     paper_->show_brush_at(sample.at);
-    if (lifts && writing_->state().fullness < kDipsAt) writing_->dip_in_ink();
+    if (lifts) dip_between_strokes();
   }
   if (hand_next_ < hand_.size()) return;
   stop_teacher();
   tell_written();
+}
+
+void BrushPage::dip_between_strokes() {
+  constexpr double kDipsAt = 0.3;
+  if (writing_->state().fullness < kDipsAt) writing_->dip_in_ink();
 }
 
 void BrushPage::tell_written() {

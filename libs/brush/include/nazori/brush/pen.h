@@ -21,6 +21,13 @@ struct PenSample {
 
   /// @return whether it is on the paper: by its height where that is known.
   [[nodiscard]] bool is_down() const noexcept { return height_m ? *height_m < 0 : down; }
+  /// The same pen above the paper, whatever its height was.
+  [[nodiscard]] PenSample lifted() const noexcept {
+    PenSample up = *this;
+    up.down = false;
+    up.height_m.reset();
+    return up;
+  }
 };
 
 /// How a pen becomes a brush.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,8 +50,8 @@ class FeltSheet {
   /// Whether what is felt is still being computed.
   [[nodiscard]] bool is_preparing() const { return preparing_.is_busy(); }
 
-  /// Leads the hand along the strokes of a teacher, who waits where the learner resists. Ends by led(), or by
-  /// stop_leading(). @param hand  as calligraphy::teacher_hand() gives it, with pressures.
+  /// Leads the hand along the strokes of a teacher. It waits where the learner resists, and ends with led()
+  /// or stop_leading(). @param hand  as calligraphy::teacher_hand() gives it, with pressures.
   /// @return false where no device is felt, or there is no stroke to lead along.
   bool lead(std::span<const brush::PenSample> hand);
   void stop_leading();

@@ -127,9 +127,11 @@ class BrushPage final : public Page {
   void move_hand(double seconds);
   void stop_teacher();
   void tell_written();
+  /// Dips a brush that would run dry in the next stroke of the teacher.
+  void dip_between_strokes();
   [[nodiscard]] bool is_watching() const { return awaits_hand_ || !hand_.empty() || felt_.is_leading(); }
-  /// Lets a force-feedback device feel the brush on the sheet.
-  void feel_sheet();
+  /// How a force-feedback device feels the brush, as chosen.
+  void set_feeling();
   // Reviews with the brush (brush_reviews.cpp).
   void connect_reviews();
   void start_reviews();
@@ -147,9 +149,6 @@ class BrushPage final : public Page {
   [[nodiscard]] int ruling() const { return reviews() ? 1 : choice_.ruling; }
   void ask_and_write(const QString& suffix);
   void show_tablet(const calligraphy::Outcome& outcome);
-
-  static constexpr double kDipsAt =
-      0.3;  ///< how full the brush is when a teacher dips it before the next stroke
 
   int cells_;
   BrushActions* actions_;
