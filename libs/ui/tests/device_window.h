@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -57,6 +58,12 @@ class Device : public WindowTest {
     ASSERT_TRUE(ticks_pass(400));  // more than the ramp
     script_->z_m = z_m;
     ASSERT_TRUE(ticks_pass(600));
+  }
+  /// The force once 200 ticks change it no more, in newtons: on a busy machine it takes longer to fade in.
+  double settled_force_n() {
+    double before_n = script_->force_n;
+    while (ticks_pass(200) && std::abs(script_->force_n - before_n) > 1e-6) before_n = script_->force_n;
+    return before_n;
   }
   /// Waits for this many ticks of the servo (milliseconds), even on a busy machine.
   bool ticks_pass(std::uint64_t count) {
