@@ -20,7 +20,8 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr std::size_t kRecent = 6;
+/// Each takes 8 MB, and carving one anew a few milliseconds: the last character and the one before it.
+constexpr std::size_t kRecent = 2;
 constexpr std::string_view kBetweenNames = " + ";
 
 base::Result<OwnTablet> load_own(const std::filesystem::path& map_path,

@@ -26,7 +26,10 @@ class Canvas {
   /// Keeps the pixels if the size is unchanged. @return false when the GPU refuses framebuffers of this size.
   bool resize(int width, int height);
   /// Binds the framebuffer for the tablet. @param quick  one sample a pixel: the picture itself.
-  void bind_tablet(bool quick) const;
+  /// @return whether it has several samples and so needs resolve(). The GPU may refuse them.
+  bool bind_tablet(bool quick);
+  /// Frees the memory of the samples until bind_tablet() needs them again.
+  void free_samples();
   /// Resolves `box` of the tablet, then binds the resolved picture.
   void resolve(const PixelBox& box) const;
   /// Copies the resolved picture into `framebuffer` at the origin and leaves it bound.
@@ -35,14 +38,19 @@ class Canvas {
   [[nodiscard]] int height() const { return height_; }
 
  private:
+  struct Samples {
+    Framebuffer framebuffer;
+    Renderbuffer colour;
+    Renderbuffer depth;
+  };
   struct Parts {
-    Framebuffer sampled;
-    Renderbuffer sampled_colour;
-    Renderbuffer sampled_depth;
     Framebuffer resolved;
     Texture picture;
     Renderbuffer depth;
+    std::unique_ptr<Samples> samples;
+    bool samples_refused = false;
   };
+  void make_samples();
   std::unique_ptr<Parts> parts_;
   int width_ = 0;
   int height_ = 0;

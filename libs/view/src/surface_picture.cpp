@@ -92,7 +92,7 @@ class RowPainter {
     for (std::size_t i = 0; i < points_.count; ++i) {
       const int column = columns_[i];
       points_.x_m[i] = static_cast<float>(column) * step_m_ - kWidth_m / 2;
-      points_.set_grain(i, plain_.grain[first + static_cast<std::size_t>(column)]);
+      points_.set_grain(i, plain_.grain[first + static_cast<std::size_t>(column)].at(points_.x_m[i]));
     }
     for (std::size_t i = 0; i < points_.count; ++i) {
       points_.z_m[i] = (heights_[i] - 1) * depth_m_;
@@ -240,7 +240,7 @@ PlainFace make_plain_face(const Look& look, int samples) {
       for (std::size_t i = 0; i < row.count; ++i) {
         const Grain grain = line.at(row.x_m[i]);
         row.set_grain(i, grain);
-        plain.grain[out + i] = grain;
+        plain.grain[out + i] = {grain, row.x_m[i]};
       }
       material.colour(row);
       for (std::size_t i = 0; i < row.count; ++i, ++out) {

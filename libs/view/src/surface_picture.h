@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -36,13 +38,38 @@ inline constexpr float kLightRange = 1.6F;
 /// Light on a surface that nothing shades, 1 on the plateau. @param normal  unit length, tablet frame.
 [[nodiscard]] float open_light(glm::vec3 normal, Hand hand);
 
+/// A Grain in half of its memory: a face keeps a million.
+class KeptGrain {
+ public:
+  KeptGrain() = default;
+  /// @param x_m  of the point, in the frame of MaterialRow.
+  KeptGrain(const Grain& grain, float x_m)
+      : sway_(kept((grain.across_m - x_m) / kSway_m)),
+        cloud_(kept(grain.cloud / 2)),
+        detail_(kept(grain.detail / 2)) {}
+  [[nodiscard]] Grain at(float x_m) const {
+    return {x_m + value(sway_) * kSway_m, value(cloud_) * 2, value(detail_) * 2};
+  }
+
+ private:
+  /// The rings' axis lies this far aside at most, and so does what sways around it.
+  static constexpr float kSway_m = 0.02F;
+  [[nodiscard]] static std::int16_t kept(float value) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 32767));
+  }
+  [[nodiscard]] static float value(std::int16_t kept) { return static_cast<float>(kept) / 32767; }
+  std::int16_t sway_ = 0;
+  std::int16_t cloud_ = 0;
+  std::int16_t detail_ = 0;
+};
+
 /// The face before anything is carved: costly to make, and the same for every character.
 struct PlainFace {
   Look look;
   int size = 0;  ///< texels a side, rim included
   int rim = 0;
   std::vector<std::uint8_t> rgba;
-  std::vector<Grain> grain;  ///< below each texel, rim included
+  std::vector<KeptGrain> grain;  ///< below each texel, rim included
 };
 
 /// Samples a side at which a map is shaded: 1,024 for maps up to that size, above that up to 2,048.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <vector>
@@ -115,6 +116,7 @@ struct TabletView::Inside {
   Refinement refinement = Refinement::when_still;
   bool in_motion = false;  ///< the last two pictures had different cameras
   bool drawn_quickly = false;
+  bool refines = false;  ///< refine() was called
 
   Inside(DrawStatistics counted, TabletLayer tablet_layer, GrooveInk ink_layer, StrokeLayer stroke_layer,
          WritingLayer writing_layer, CursorLayer cursor_layer, LabelLayer label_layer)
@@ -165,16 +167,21 @@ void TabletView::Inside::update_picture(const Projection& projection, const Over
   // The first picture from a new camera has full quality; from the second in a row on the camera is in
   // motion.
   const bool turned = drawn.content == content && !same_camera(camera, drawn.camera);
-  const bool quick = refinement == Refinement::when_still && turned && in_motion;
+  const bool changed = !same_picture(key, drawn) || change.everywhere;
+  const bool refined = drawn_quickly && !changed && (refines || refinement != Refinement::when_idle);
+  const bool quick = (refinement == Refinement::when_still && turned && in_motion) ||
+                     (refinement == Refinement::when_idle && !refined);
   in_motion = turned;
-  const bool redraw = !same_picture(key, drawn) || change.everywhere || drawn_quickly;
+  refines = false;
+  const bool redraw = changed || refined;
   if (!redraw && change.fresh_m.empty()) return;
 
   const PixelBox box = redraw ? whole(projection) : box_around(change.fresh_m, projection, shape.depth_m);
   if (!box.is_empty()) {
-    canvas.bind_tablet(quick);
+    const bool sampled = canvas.bind_tablet(quick);
     tablet.draw(projection, box, inkable && ink.has_ink() ? ink.texture() : 0);
-    if (!quick) canvas.resolve(box);
+    if (sampled) canvas.resolve(box);
+    if (refinement == Refinement::when_idle) canvas.free_samples();
     strokes.draw(projection, box, look, choice, statistics);
     labels.draw(projection, box, look, choice, statistics);
     ++(redraw ? statistics.full_redraws : statistics.partial_redraws);
@@ -185,6 +192,19 @@ void TabletView::Inside::update_picture(const Projection& projection, const Over
 
 TabletView::TabletView(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
 TabletView::~TabletView() = default;
+
+Refinement refinement_for(std::string_view renderer) {
+  const std::array<std::string_view, 7> in_software{"llvmpipe",
+                                                    "softpipe",
+                                                    "Software Rasterizer",
+                                                    "SwiftShader",
+                                                    "GDI Generic",
+                                                    "Microsoft Basic Render Driver",
+                                                    "Apple Software Renderer"};
+  const bool found = std::any_of(in_software.begin(), in_software.end(),
+                                 [&](std::string_view name) { return renderer.find(name) != renderer.npos; });
+  return found ? Refinement::when_idle : Refinement::when_still;
+}
 
 base::Result<std::unique_ptr<TabletView>> TabletView::create() {
   const int version = epoxy_gl_version();
@@ -253,6 +273,7 @@ void TabletView::set_hand(Hand hand) {
 
 void TabletView::set_refinement(Refinement refinement) { inside_->refinement = refinement; }
 bool TabletView::wants_redraw() const { return inside_->drawn_quickly; }
+void TabletView::refine() { inside_->refines = true; }
 
 void TabletView::set_camera(const Camera& camera) { inside_->camera = within_limits(camera, inside_->shape); }
 const Camera& TabletView::camera() const { return inside_->camera; }

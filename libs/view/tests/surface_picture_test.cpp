@@ -303,5 +303,20 @@ TEST(SharedFace, IsMadeOnceForALookAndASizeAndTheLastTwoAreKept) {
   EXPECT_TRUE(oldest.expired());
 }
 
+TEST(KeptGrain, IsTheGrainToLessThanAnEyeCouldTell) {
+  const Material wood(Style::wood, Theme::light);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::vec2 p{-0.05F + 0.0001F * static_cast<float>(i), 0.03F - 0.00005F * static_cast<float>(i)};
+    const Grain grain = wood.grain(p);
+    const Grain kept = KeptGrain(grain, p.x).at(p.x);
+    ASSERT_NEAR(kept.across_m, grain.across_m, 0.5e-6) << i << ": a thousandth of a ring is 3 um";
+    ASSERT_NEAR(kept.cloud, grain.cloud, 5e-5) << i;
+    ASSERT_NEAR(kept.detail, grain.detail, 5e-5) << i;
+  }
+  const Grain stone{0, 0.75F, 1.3F};
+  EXPECT_NEAR(KeptGrain(stone, 0.04F).at(0.04F).cloud, 0.75, 5e-5);
+  EXPECT_NEAR(KeptGrain(stone, 0.04F).at(0.04F).detail, 1.3, 5e-5);
+}
+
 }  // namespace
 }  // namespace nazori::view

@@ -251,5 +251,58 @@ TEST_F(Everything, FreshInkIsDrawnInItsBoxAloneAsIfAllWereDrawn) {
   }
 }
 
+TEST_F(Everything, WithoutAGraphicsCardEdgesAreSmoothedOnlyWhenThatIsAskedFor) {
+  overlay_.cursor.reset();
+  const auto redraws = [&] { return studio_.view->statistics().full_redraws; };
+  const Picture smooth = studio_.shoot(overlay_);
+  studio_.view->set_refinement(Refinement::when_idle);
+  const Picture quick = anew(overlay_);
+  EXPECT_TRUE(studio_.view->wants_redraw());
+  EXPECT_GT(changed_pixels(smooth, quick), 20) << "the edges of the board have steps";
+  const auto before = redraws();
+  EXPECT_EQ(changed_pixels(quick, studio_.shoot(overlay_), 0), 0);
+  EXPECT_EQ(redraws(), before) << "a picture that is shown again is not smoothed by that";
+  studio_.view->refine();
+  EXPECT_EQ(changed_pixels(smooth, studio_.shoot(overlay_), 0), 0);
+  EXPECT_EQ(redraws(), before + 1);
+  EXPECT_FALSE(studio_.view->wants_redraw());
+  studio_.view->refine();
+  (void)studio_.shoot(overlay_);
+  EXPECT_EQ(redraws(), before + 1) << "it is smooth already";
+
+  ink_[2] = 0.7;
+  (void)studio_.shoot(overlay_);
+  EXPECT_EQ(redraws(), before + 1) << "fresh ink is drawn alone";
+  EXPECT_TRUE(studio_.view->wants_redraw());
+  studio_.view->refine();
+  const Picture inked = studio_.shoot(overlay_);
+  EXPECT_FALSE(studio_.view->wants_redraw());
+  studio_.view->set_refinement(Refinement::always);
+  EXPECT_EQ(changed_pixels(inked, anew(overlay_), 0), 0);
+}
+
+TEST_F(Everything, WhatChangesBeforeItIsSmoothedHasToBeAskedForAgain) {
+  studio_.view->set_refinement(Refinement::when_idle);
+  (void)studio_.shoot(overlay_);
+  (void)anew(overlay_);
+  studio_.view->refine();
+  studio_.view->set_camera({0.1, 0.2, 1, {}});
+  const Picture turned = studio_.shoot(overlay_);
+  EXPECT_TRUE(studio_.view->wants_redraw());
+  EXPECT_EQ(changed_pixels(turned, studio_.shoot(overlay_), 0), 0);
+  EXPECT_TRUE(studio_.view->wants_redraw());
+}
+
+TEST(Refinement, WaitsWhereTheProcessorDrawsAndNotWithAGraphicsCard) {
+  for (const char* software :
+       {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer", "Google SwiftShader",
+        "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)", "GDI Generic",
+        "Microsoft Basic Render Driver", "D3D12 (Microsoft Basic Render Driver)", "Apple Software Renderer"})
+    EXPECT_EQ(refinement_for(software), Refinement::when_idle) << software;
+  for (const char* card : {"", "Mesa Intel(R) UHD Graphics 620 (KBL GT2)", "AMD Radeon RX 580", "Apple M1",
+                           "NVIDIA GeForce GT 710/PCIe/SSE2", "virgl (Mesa Intel(R) HD Graphics)", "V3D 4.2"})
+    EXPECT_EQ(refinement_for(card), Refinement::when_still) << card;
+}
+
 }  // namespace
 }  // namespace nazori::view

@@ -230,6 +230,33 @@ TEST_F(LineOfStatus, AtTheStartNothingWasMeasured) {
   EXPECT_EQ(label("depth").text(), QString());
 }
 
+TEST_F(LineOfStatus, APassingMessageIsReadWholeAndTheFiguresComeBackAfterIt) {
+  const QString words = said("The device you feel the tablet with, and the material of the tablet");
+  const int message = line_.fontMetrics().horizontalAdvance(words);
+  const auto visible = [this] {
+    QStringList names;
+    for (const char* name : {"depth", "device", "rate", "missed", "timing"})
+      if (label(name).isVisible()) names.append(QString::fromLatin1(name));
+    return names;
+  };
+  const QStringList all = visible();
+  line_.showMessage(words);
+  EXPECT_EQ(visible(), all) << "there is room for both";
+  for (const int width : {message + 400, message + 40}) {
+    line_.clearMessage();
+    line_.resize(width, 30);
+    const QStringList before = visible();
+    line_.showMessage(words);
+    QCoreApplication::sendPostedEvents();
+    for (const QString& name : visible())
+      EXPECT_GE(label(qPrintable(name)).x(), message) << width << " " << name.toStdString();
+    line_.clearMessage();
+    EXPECT_EQ(visible(), before) << width;
+  }
+  line_.showMessage(words);
+  EXPECT_EQ(visible(), QStringList()) << "not even the device fits beside it";
+}
+
 TEST_F(LineOfStatus, ARecordingIsNamedWithItsSecondsWhileItRuns) {
   EXPECT_FALSE(label("recording").isVisible());
   const auto file = std::filesystem::path(folder_.path().toStdString()) / "session.nzr";

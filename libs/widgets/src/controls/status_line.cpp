@@ -63,6 +63,7 @@ StatusLine::StatusLine(practice::TabletControl& controller, practice::TabletReco
     record_->setToolTip(to_text(path.string()));
     fit();
   });
+  connect(this, &QStatusBar::messageChanged, this, &StatusLine::fit);
   connect(&timer_, &QTimer::timeout, this, &StatusLine::look);
   timer_.start(kLook_ms);
   again_.setSingleShot(true);
@@ -129,8 +130,12 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 }
 
 void StatusLine::fit() {
-  // Labels that do not fit are left out completely, the least important first.
+  // Labels that do not fit are left out completely, the least important first. A passing message, such as
+  // what an action does, is read whole.
+  const QString message = currentMessage();
+  const bool passing = !message.isEmpty();
   int room = contentsRect().width() - kMargin;
+  if (passing) room -= fontMetrics().horizontalAdvance(message) + kGap;
   if (controller_.device().is_pointer()) {
     for (const QString& words : InputWatch::of_program().shorter_and_shorter()) {
       device_->setText(words);
@@ -147,7 +152,7 @@ void StatusLine::fit() {
     }
     room -= label->sizeHint().width() + kGap;
     full = full || room < 0;
-    label->setVisible(!full || label == device_);
+    label->setVisible(!full || (label == device_ && !passing));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QScreen>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kGlide_ms = 220;
 constexpr int kStill_ms = 120;    ///< the camera is at rest: one more picture in full quality
+constexpr int kIdle_ms = 1500;    ///< the same where that costs the processor as much as a new character
 constexpr int kSettle_ms = 250;   ///< the simulated tip takes a few milliseconds to follow the pointer
 constexpr double kSeen_m = 2e-6;  ///< smaller moves of the tip change no pixel
 
@@ -37,8 +39,10 @@ TabletWindow::TabletWindow(practice::TabletControl* controller)
   subscribe(controller_->state_changed, this, [this] { update_style(); });
   subscribe(controller_->tablet_changed, this, [this] { tablet_stale_ = true; });
   still_timer_.setSingleShot(true);
-  still_timer_.setInterval(kStill_ms);
-  connect(&still_timer_, &QTimer::timeout, this, &TabletWindow::request_frame);
+  connect(&still_timer_, &QTimer::timeout, this, [this] {
+    if (view_) view_->refine();
+    request_frame();
+  });
   glide_.setDuration(kGlide_ms);
   glide_.setEasingCurve(QEasingCurve::OutCubic);
   since_frame_.start();
@@ -87,6 +91,11 @@ void TabletWindow::initializeGL() {
     return;
   }
   view_ = std::move(*made);
+  const auto* renderer = context()->functions()->glGetString(GL_RENDERER);
+  const view::Refinement refinement =
+      view::refinement_for(renderer != nullptr ? reinterpret_cast<const char*>(renderer) : "");
+  view_->set_refinement(refinement);
+  still_timer_.setInterval(refinement == view::Refinement::when_idle ? kIdle_ms : kStill_ms);
   tablet_stale_ = true;
   // The context is destroyed before this object when the native window is closed or moves to another screen.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &TabletWindow::release_graphics,

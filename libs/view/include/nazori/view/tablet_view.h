@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "nazori/base/result.h"
@@ -94,8 +95,15 @@ enum class Hand : std::uint8_t { right, left };
 /// When the edges of the tablet are smoothed with several samples per pixel.
 enum class Refinement : std::uint8_t {
   when_still,  ///< not while the camera moves, for more pictures per second
+  when_idle,   ///< only by TabletView::refine(): the first picture of a character is there sooner, and the
+               ///< memory for the samples is freed after each use
   always,
 };
+
+/// How a renderer is best used. @param renderer  what OpenGL calls it (GL_RENDERER): when_idle for those that
+/// draw with the processor alone, where several samples a pixel take most of the time of a picture.
+/// @source the names of Mesa's, Google's, Microsoft's and Apple's software renderers.
+[[nodiscard]] Refinement refinement_for(std::string_view renderer);
 
 /// Counters since creation, with which a caller or a test can check that nothing is sent twice.
 struct DrawStatistics {
@@ -144,9 +152,11 @@ class TabletView {
 
   /// Refinement::when_still by default.
   void set_refinement(Refinement refinement);
-  /// Whether the last picture was drawn at lower quality because the camera moved: draw again when it has
-  /// come to rest.
+  /// Whether the last picture was drawn at lower quality: when nothing changes any more, call refine() and
+  /// draw again.
   [[nodiscard]] bool wants_redraw() const;
+  /// The next picture is drawn in full quality if nothing else has changed by then.
+  void refine();
 
   /// The point of the plateau under a pixel (y down), nothing where the line of sight misses its plane.
   [[nodiscard]] std::optional<geometry::TabletPoint> pick(glm::dvec2 pixel, int width, int height) const;
