@@ -162,7 +162,7 @@ MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& lo
   QObject::connect(&parts, &WindowParts::own_characters_changed, own_font, &OwnFont::refresh);
   parts.set_back_ends(setup.back_ends ? setup.back_ends() : registered_back_ends(parts.settings_file()));
   save_timer.setSingleShot(true);
-  save_timer.setInterval(600);
+  save_timer.setInterval(2000);
   QObject::connect(&save_timer, &QTimer::timeout, &owner, [this] { save_preferences(); });
 }
 
