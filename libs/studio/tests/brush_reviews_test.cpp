@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reviews on the page for the brush: the question, the sheet for it, the advice and the ratings.
+#include <QFontInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -243,6 +244,41 @@ TEST_F(ReviewsWithTheBrush, AnUnsavedSheetIsAskedAboutFirst) {
   answer("unsaved_sheet_box", "Do not save");
   by(actions().review);
   EXPECT_TRUE(session().is_running());
+}
+
+TEST_F(ReviewsWithTheBrush, InALowWindowThePaperHasTheRoomOfTheToolsUntilTheyEndOrTheToolsAreOpened) {
+  know();
+  const int em = QFontInfo(window_.font()).pixelSize();
+  const auto review = [this] {
+    by(actions().review);
+    wait_for_character();
+  };
+  window_.resize(800, 20 * em);
+  review();
+  EXPECT_TRUE(panel().isHidden());
+  EXPECT_FALSE(actions().tools->isChecked());
+  EXPECT_FALSE(question().contains(sentence(", "))) << "one meaning: " << question().toStdString();
+  EXPECT_FALSE(question().contains(sentence("、"))) << "one reading: " << question().toStdString();
+  by(actions().end);
+  EXPECT_FALSE(panel().isHidden());
+  EXPECT_TRUE(actions().tools->isChecked());
+
+  review();
+  actions().tools->trigger();
+  EXPECT_FALSE(panel().isHidden()) << "the learner opens them";
+  by(actions().end);
+  EXPECT_FALSE(panel().isHidden());
+
+  actions().tools->trigger();
+  review();
+  by(actions().end);
+  EXPECT_TRUE(panel().isHidden()) << "the learner had closed them before";
+  actions().tools->trigger();
+
+  window_.resize(1000, 60 * em);
+  review();
+  EXPECT_FALSE(panel().isHidden()) << "there is room for both";
+  EXPECT_TRUE(question().contains(sentence(", ")));
 }
 
 TEST(QuestionOfAReview, AsksBySoundOrMeaningAndReadingsOrElseByTheNumberOfStrokes) {

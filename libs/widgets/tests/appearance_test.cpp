@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QEvent>
 #include <QFontInfo>
 #include <QSignalSpy>
 #include <QStyleFactory>
 #include <QStyleOptionSlider>
+#include <QWidget>
 
 #include "nazori/widgets/look/style_sheet.h"
 #include "painting_under_test.h"
@@ -50,9 +52,32 @@ TEST_F(LookOfTheProgram, HasThePaletteTheLettersAndTheSheetOfItsTheme) {
   EXPECT_EQ(changed.count(), 2);
 }
 
+TEST_F(LookOfTheProgram, WhatIsThereAlreadyIsNotSetOnEveryWidgetAgain) {
+  class Counted final : public QWidget {
+   public:
+    int style_changes = 0;
+
+   protected:
+    void changeEvent(QEvent* event) override {
+      style_changes += event->type() == QEvent::StyleChange ? 1 : 0;
+    }
+  };
+  appearance_.apply(ThemeChoice::light, 14);
+  Counted widget;
+  const QSignalSpy changed(&appearance_, &Appearance::changed);
+  appearance_.apply(ThemeChoice::light, 14);
+  EXPECT_EQ(widget.style_changes, 0);
+  EXPECT_EQ(changed.count(), 1) << "what is drawn by hand may be new";
+  for (const auto& [theme, text_pt] : {std::pair(ThemeChoice::light, 15), {ThemeChoice::dark, 15}}) {
+    widget.style_changes = 0;
+    appearance_.apply(theme, text_pt);
+    EXPECT_GT(widget.style_changes, 0) << text_pt;
+  }
+}
+
 TEST_F(LookOfTheProgram, LettersThatAFontLacksComeFromFontsOfJapanese) {
   for (int i = 0; i < 2; ++i) {
-    appearance_.apply(ThemeChoice::light, 12);
+    appearance_.apply(ThemeChoice::light, 12 + i);
     QStringList families = QApplication::font().families();
     ASSERT_GE(families.size(), 3);
     EXPECT_EQ(families.removeDuplicates(), 0) << "also when it is applied again";

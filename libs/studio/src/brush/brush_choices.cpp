@@ -88,6 +88,7 @@ void BrushPage::connect_actions() {
   });
   on(actions_->tools, [this](bool on) {
     choice_.show_tools = on;
+    tools_folded_ = false;
     if (!on && panel_->isAncestorOf(parts().window().focusWidget())) parts().focus_tablet();
     panel_->setVisible(on);
     parts().save_later();

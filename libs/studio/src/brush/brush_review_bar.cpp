@@ -5,12 +5,12 @@
 #include <QFontInfo>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <initializer_list>
 #include <utility>
 
-#include "nazori/practice/session_question.h"
 #include "nazori/studio/brush/brush_actions.h"
 #include "nazori/widgets/controls/flow_layout.h"
 #include "nazori/widgets/controls/parts.h"
@@ -31,13 +31,6 @@ QString with_key(const QAction& action) {
                                       action.shortcut().toString(QKeySequence::NativeText));
 }
 
-/// Keeps its place while it is hidden, so that the paper below does not move under the brush.
-void keep_place(QWidget* widget) {
-  QSizePolicy policy = widget->sizePolicy();
-  policy.setRetainSizeWhenHidden(true);
-  widget->setSizePolicy(policy);
-}
-
 QPushButton* compact_button(QAction* action, QWidget* parent) {
   auto* button = with_role(action_button(action, with_key(*action), parent), "compact");
   button->setAccessibleName(action->iconText());
@@ -51,11 +44,13 @@ BrushReviewBar::BrushReviewBar(const practice::BrushSession& session, const prac
     : QFrame(parent),
       session_(session),
       learner_(learner),
-      progress_(text_label("brush_review_progress", this, "muted")),
-      question_(sentence_label("brush_review_question", this)),
-      verdict_(text_label("brush_review_verdict", this, "muted")),
+      words_(new QStackedWidget(this)),
+      question_(sentence_label("brush_review_question", words_)),
+      verdict_(text_label("brush_review_verdict", words_, "muted")),
+      steps_(new QStackedWidget(this)),
       advice_(with_role(action_button(actions.go_on, {}, this), "primary")),
-      ratings_(new QWidget(this)),
+      ratings_(new QWidget(steps_)),
+      progress_(text_label("brush_review_progress", this, "muted")),
       spoken_(new SpokenLine(this)) {
   setObjectName(QStringLiteral("brush_review_bar"));
   setAccessibleName(tr("Review with the brush"));
@@ -67,28 +62,33 @@ BrushReviewBar::BrushReviewBar(const practice::BrushSession& session, const prac
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kSide_px, kGap_px, kSide_px, kGap_px);
   column->setSpacing(kGap_px);
-  column->addWidget(progress_);
-  column->addWidget(question_);
-  column->addWidget(verdict_);
+  // A stack has room for its largest page, so the paper below does not move under the brush.
+  words_->addWidget(question_);
+  words_->addWidget(verdict_);
+  column->addWidget(words_);
+  auto* step = new QWidget(steps_);
+  (new FlowLayout(kGap_px, kGap_px, step))->addWidget(advice_);
+  steps_->addWidget(step);
+  steps_->addWidget(ratings_);
   ratings_->setLayout(new FlowLayout(kGap_px, kGap_px, nullptr));
   for (std::size_t i = 0; i < rating_.size(); ++i) {
     rating_[i] = action_button(actions.rate[i], {}, ratings_);
     rating_[i]->setProperty("is_rating", true);
     ratings_->layout()->addWidget(rating_[i]);
   }
-  column->addWidget(ratings_);
-  for (auto* one : std::initializer_list<QWidget*>{verdict_, ratings_, advice_}) keep_place(one);
+  column->addWidget(steps_);
   auto* others = new QWidget(this);
   auto* row = new FlowLayout(kGap_px, kGap_px, others);
-  row->addWidget(advice_);
   for (auto* action : {actions.skip, actions.undo_rating, actions.end})
     row->addWidget(compact_button(action, others));
+  row->addWidget(progress_);
   column->addWidget(others);
   hide();
 }
 
-QString BrushReviewBar::question_words(const kanji::Character& character, bool is_secret) {
-  const auto asks = practice::question_about(character);
+QString BrushReviewBar::question_words(const kanji::Character& character, bool is_secret,
+                                       practice::QuestionRoom room) {
+  const auto asks = practice::shortened(practice::question_about(character), room);
   QStringList parts;
   if (!is_secret) parts.append(to_text(character.code_point));
   if (asks.sound) parts.append(StudyWords::kana_asked(*asks.sound, asks.script));
@@ -106,11 +106,14 @@ void BrushReviewBar::show_state(const std::optional<kanji::Character>& character
   }
   const QString place = tr("With the brush · %1 of %2").arg(session_.done() + 1).arg(session_.total());
   progress_->setText(place);
-  const QString question = character ? question_words(*character, session_.asks_from_memory()) : QString();
+  const double height_em = static_cast<double>(window()->height()) / QFontInfo(font()).pixelSize();
+  const QString question = character ? question_words(*character, session_.asks_from_memory(),
+                                                      practice::room_for_question(height_em))
+                                     : QString();
   question_->setText(question);
   const bool advised = session_.state() == practice::BrushSession::State::advised;
-  verdict_->setVisible(advised);
-  ratings_->setVisible(advised);
+  words_->setCurrentIndex(advised ? 1 : 0);
+  steps_->setCurrentIndex(advised ? 1 : 0);
   advice_->setVisible(!advised);
   show_ratings();
   if (question.isEmpty()) return;

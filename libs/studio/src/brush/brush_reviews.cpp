@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reviews with the brush: which character is on the sheet, and what becomes of it.
 #include <QAction>
+#include <QFontInfo>
 
+#include "nazori/practice/session_question.h"
 #include "nazori/studio/brush/brush_actions.h"
 #include "nazori/studio/brush/brush_page.h"
 #include "nazori/studio/brush/brush_review_bar.h"
@@ -51,7 +53,17 @@ void BrushPage::start_reviews() {
   }
   session.show_model(brush_model_of(choice_.place));
   if (!session.start()) return;
+  const QWidget& window = parts().window();
+  const double height_em = static_cast<double>(window.height()) / QFontInfo(window.font()).pixelSize();
+  fold_tools(practice::room_for_question(height_em) == practice::QuestionRoom::line);
   parts().focus_tablet();
+}
+
+void BrushPage::fold_tools(bool folded) {
+  if (folded == tools_folded_ || !choice_.show_tools) return;
+  tools_folded_ = folded;
+  actions_->tools->setChecked(!folded);
+  panel_->setVisible(!folded);
 }
 
 void BrushPage::take_character() {
@@ -78,6 +90,7 @@ void BrushPage::show_reviews() {
 }
 
 void BrushPage::end_reviews() {
+  fold_tools(false);
   panel_->set_model_free(true);
   panel_->show_ruling(choice_.ruling);
   show_reviews();

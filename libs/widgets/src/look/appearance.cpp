@@ -142,13 +142,18 @@ bool Appearance::is_dark() const {
 void Appearance::apply(ThemeChoice theme, int text_pt) {
   theme_ = theme;
   text_pt_ = text_pt;
-  const Colours& colours = is_dark() ? dark_colours() : light_colours();
-  QFont font = with_japanese(QApplication::font());
-  font.setPointSize(text_pt);
-  QApplication::setPalette(make_palette(colours));
-  // Set the font first: widgets with a style sheet read it when the sheet is set again.
-  QApplication::setFont(font);
-  qApp->setStyleSheet(style_sheet(colours));
+  // Setting them again would go through every widget of the window, which takes longer than making it.
+  const std::pair wanted(is_dark(), text_pt);
+  if (applied_ != wanted) {
+    applied_ = wanted;
+    const Colours& colours = is_dark() ? dark_colours() : light_colours();
+    QFont font = with_japanese(QApplication::font());
+    font.setPointSize(text_pt);
+    QApplication::setPalette(make_palette(colours));
+    // Set the font first: widgets with a style sheet read it when the sheet is set again.
+    QApplication::setFont(font);
+    qApp->setStyleSheet(style_sheet(colours));
+  }
   emit changed();
 }
 

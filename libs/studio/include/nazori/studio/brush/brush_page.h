@@ -136,6 +136,9 @@ class BrushPage final : public Page {
   void connect_reviews();
   void start_reviews();
   void show_reviews();
+  /// In a low window the paper has the room of the tools for as long as reviews run, unless the learner opens
+  /// them.
+  void fold_tools(bool folded);
   /// A new sheet for the character that is to be written.
   void take_character();
   void end_reviews();
@@ -161,6 +164,7 @@ class BrushPage final : public Page {
   Choice choice_;
   QString file_;
   bool entered_ = false;
+  bool tools_folded_ = false;  ///< by reviews
   bool closes_when_saved_ = false;
   bool starts_ = false;      ///< the first ink is chosen, which is not announced
   bool warned_dry_ = false;  ///< said once for each time that the brush runs dry

@@ -7,9 +7,11 @@
 
 #include "nazori/kanji/character.h"
 #include "nazori/practice/brush_session.h"
+#include "nazori/practice/session_question.h"
 
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 
 namespace nazori::ui {
 
@@ -29,16 +31,20 @@ class BrushReviewBar final : public QFrame {
   void show_state(const std::optional<kanji::Character>& character);
 
   /// The question in words, without the character while the learner must know it.
-  [[nodiscard]] static QString question_words(const kanji::Character& character, bool is_secret);
+  [[nodiscard]] static QString question_words(const kanji::Character& character, bool is_secret,
+                                              practice::QuestionRoom room = practice::QuestionRoom::full);
 
  private:
   void show_ratings();
 
   const practice::BrushSession& session_;
   const practice::Learner& learner_;
-  QLabel *progress_, *question_, *verdict_;
+  QStackedWidget* words_;  ///< the question, then the verdict
+  QLabel *question_, *verdict_;
+  QStackedWidget* steps_;  ///< the button for advice, then the ratings
   QPushButton* advice_;
   QWidget* ratings_;
+  QLabel* progress_;
   std::array<QPushButton*, 4> rating_{};
   SpokenLine* spoken_;
   QString said_;

@@ -4,6 +4,7 @@
 #include <QDBusVariant>
 #include <QObject>
 #include <optional>
+#include <utility>
 
 #include "nazori/widgets/look/theme.h"
 
@@ -33,6 +34,7 @@ class Appearance final : public QObject {
   std::optional<bool> portal_dark_;  ///< the answer of the desktop's settings portal, if there is one
   ThemeChoice theme_ = ThemeChoice::desktop;
   int text_pt_ = kMinText_pt;
+  std::optional<std::pair<bool, int>> applied_;  ///< dark, size of text: what all widgets have
 };
 
 }  // namespace nazori::ui
