@@ -64,6 +64,7 @@ TEST_F(LookOfTheProgram, WhatIsThereAlreadyIsNotSetOnEveryWidgetAgain) {
   };
   appearance_.apply(ThemeChoice::light, 14);
   Counted widget;
+  widget.ensurePolished();
   const QSignalSpy changed(&appearance_, &Appearance::changed);
   appearance_.apply(ThemeChoice::light, 14);
   EXPECT_EQ(widget.style_changes, 0);
