@@ -249,11 +249,15 @@ TEST_F(ReviewsWithTheBrush, AnUnsavedSheetIsAskedAboutFirst) {
 TEST_F(ReviewsWithTheBrush, InALowWindowThePaperHasTheRoomOfTheToolsUntilTheyEndOrTheToolsAreOpened) {
   know();
   const int em = QFontInfo(window_.font()).pixelSize();
+  const auto resize = [this](int width, int height) {
+    window_.resize(width, height);
+    page_->instead_of_tablet()->resize(width, height);
+  };
   const auto review = [this] {
     by(actions().review);
     wait_for_character();
   };
-  window_.resize(800, 20 * em);
+  resize(50 * em, 25 * em);
   review();
   EXPECT_TRUE(panel().isHidden());
   EXPECT_FALSE(actions().tools->isChecked());
@@ -275,7 +279,7 @@ TEST_F(ReviewsWithTheBrush, InALowWindowThePaperHasTheRoomOfTheToolsUntilTheyEnd
   EXPECT_TRUE(panel().isHidden()) << "the learner had closed them before";
   actions().tools->trigger();
 
-  window_.resize(1000, 60 * em);
+  resize(100 * em, 80 * em);
   review();
   EXPECT_FALSE(panel().isHidden()) << "there is room for both";
   EXPECT_TRUE(question().contains(sentence(", ")));

@@ -89,6 +89,7 @@ void BrushPage::connect_actions() {
   on(actions_->tools, [this](bool on) {
     choice_.show_tools = on;
     tools_folded_ = false;
+    tools_wanted_ = on && reviews();
     if (!on && panel_->isAncestorOf(parts().window().focusWidget())) parts().focus_tablet();
     panel_->setVisible(on);
     parts().save_later();

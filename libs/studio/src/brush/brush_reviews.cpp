@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reviews with the brush: which character is on the sheet, and what becomes of it.
 #include <QAction>
-#include <QFontInfo>
+#include <algorithm>
 
-#include "nazori/practice/session_question.h"
 #include "nazori/studio/brush/brush_actions.h"
 #include "nazori/studio/brush/brush_page.h"
 #include "nazori/studio/brush/brush_review_bar.h"
@@ -53,10 +52,15 @@ void BrushPage::start_reviews() {
   }
   session.show_model(brush_model_of(choice_.place));
   if (!session.start()) return;
-  const QWidget& window = parts().window();
-  const double height_em = static_cast<double>(window.height()) / QFontInfo(window.font()).pixelSize();
-  fold_tools(practice::room_for_question(height_em) == practice::QuestionRoom::line);
   parts().focus_tablet();
+}
+
+void BrushPage::make_room() {
+  if (!reviews() || tools_folded_ || tools_wanted_ || !choice_.show_tools) return;
+  const int width = widget_->width() - panel_->sizeHint().width();
+  const int side = std::min(width, widget_->height() - bar_->heightForWidth(width));
+  const QSize window = parts().window().size();
+  if (2 * side < std::min(window.width(), window.height())) fold_tools(true);
 }
 
 void BrushPage::fold_tools(bool folded) {
@@ -87,10 +91,12 @@ void BrushPage::show_reviews() {
   if (const auto known = characters_.find(session.character()); known != characters_.end())
     character = known->second;
   bar_->show_state(character);
+  make_room();
 }
 
 void BrushPage::end_reviews() {
   fold_tools(false);
+  tools_wanted_ = false;
   panel_->set_model_free(true);
   panel_->show_ruling(choice_.ruling);
   show_reviews();

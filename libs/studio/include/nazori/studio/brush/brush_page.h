@@ -136,8 +136,9 @@ class BrushPage final : public Page {
   void connect_reviews();
   void start_reviews();
   void show_reviews();
-  /// In a low window the paper has the room of the tools for as long as reviews run, unless the learner opens
-  /// them.
+  /// Where the paper would be smaller than half of the window, it has the room of the tools for as long as
+  /// reviews run, unless the learner opens them.
+  void make_room();
   void fold_tools(bool folded);
   /// A new sheet for the character that is to be written.
   void take_character();
@@ -165,6 +166,7 @@ class BrushPage final : public Page {
   QString file_;
   bool entered_ = false;
   bool tools_folded_ = false;  ///< by reviews
+  bool tools_wanted_ = false;  ///< the learner opened them during reviews
   bool closes_when_saved_ = false;
   bool starts_ = false;      ///< the first ink is chosen, which is not announced
   bool warned_dry_ = false;  ///< said once for each time that the brush runs dry
