@@ -108,7 +108,7 @@ void sweep(Sheet::Inside& sheet, const Band& band, Offer& offer) {
     for (std::size_t column = begin; column < end; ++column) {
       Tile& tile = *sheet.tiles[tile_row + column / kTile];
       const std::size_t x = column % kTile;
-      if (tile.height[(y + 1) * kPadded + x + 1] < offer.lowest_height) continue;
+      if (tile.height[(y + 1) * kTile + x] < offer.lowest_height) continue;
       give(sheet, tile, y * kTile + x, offer);
     }
   }

@@ -18,15 +18,19 @@ Amount copy(const Field& field, Line line, std::array<Amount, kTile>& to) {
 }
 
 void copy_side(const Tile& tile, Line line, Edge& edge) {
-  copy(tile.surface, line, edge.surface);
   copy(tile.fibre, line, edge.fibre);
+  edge.has_standing = tile.standing != 0 && copy(tile.surface, line, edge.surface) != 0;
   edge.slots = 0;
-  for (std::size_t k = 0; k < kSlots; ++k) {
-    if ((tile.slots >> k & 1U) == 0)
-      edge.moving[k].fill(0);
-    else if (copy(tile.moving[k], line, edge.moving[k]) != 0)
-      edge.slots |= 1U << k;
-  }
+  for (std::size_t k = 0; k < kSlots; ++k)
+    if ((tile.slots >> k & 1U) != 0 && copy(tile.moving[k], line, edge.moving[k]) != 0) edge.slots |= 1U << k;
+}
+
+bool differ(const Edge& a, const Edge& b) {
+  if (a.fibre != b.fibre || a.slots != b.slots || a.has_standing != b.has_standing) return true;
+  if (a.has_standing && a.surface != b.surface) return true;
+  for (std::size_t k = 0; k < kSlots; ++k)
+    if ((a.slots >> k & 1U) != 0 && a.moving[k] != b.moving[k]) return true;
+  return false;
 }
 
 }  // namespace
@@ -37,7 +41,7 @@ void prepare_edges(Tile& tile) {
   tile.next_changed = 0;
   for (const Side side : {left, right, top, bottom}) {
     copy_side(tile, kLines[side], next[side]);
-    if (next[side] != shown[side]) tile.next_changed |= static_cast<std::uint8_t>(1U << side);
+    if (differ(next[side], shown[side])) tile.next_changed |= static_cast<std::uint8_t>(1U << side);
   }
   tile.has_next_edges = true;
 }

@@ -14,8 +14,8 @@ namespace nazori::paint {
 
 inline constexpr int kTile = 32;
 inline constexpr int kCells = kTile * kTile;
-/// Row length of the paper's own fields, which repeat one cell of each neighbour.
-inline constexpr int kPadded = kTile + 2;
+/// Rows of the paper's own fields, which repeat one row of the tiles above and below.
+inline constexpr int kPaperRows = kTile + 2;
 
 inline constexpr Amount kMostWater = 16 * kOne;
 /// Above it a cell takes no more moving pigment. An eighth at most comes through each of its four sides, so
@@ -24,13 +24,16 @@ inline constexpr Amount kMostMoving = 8 * kOne;
 inline constexpr Amount kMostFixed = 10 * kOne;
 
 using Field = std::array<Amount, kCells>;
+using PaperField = std::array<std::uint16_t, std::size_t{kPaperRows} * kTile>;
+/// The paper of the columns left and right of a tile.
+using PaperSides = std::array<std::array<std::uint16_t, kTile>, 2>;
 
 /// What a neighbouring tile needs of one side of a tile, as it was before the step.
-struct Edge {
+struct alignas(64) Edge {
   std::array<Amount, kTile> surface{}, fibre{};
   std::array<std::array<Amount, kTile>, kSlots> moving{};
-  std::uint32_t slots = 0;  ///< bit k: moving[k] holds something
-  friend bool operator==(const Edge&, const Edge&) = default;
+  std::uint32_t slots = 0;    ///< bit k: moving[k] holds something; else it is not filled and counts as 0
+  bool has_standing = false;  ///< surface holds something; else likewise
 };
 
 enum Side : std::uint8_t { left, right, top, bottom };
@@ -45,11 +48,13 @@ struct Ground {
 struct Tile {
   alignas(64) Field surface{}, fibre{};
   std::array<Field, kSlots> moving{}, fixed{};
-  std::array<std::uint16_t, std::size_t{kPadded} * kPadded> height{}, density{};
+  PaperField height{}, density{};
+  PaperSides height_beside{}, density_beside{};
   std::array<std::array<Edge, 4>, 2> edges{};  ///< of this step and of the next one, see shown
   std::unique_ptr<Ground> ground;
   TotalAmount evaporated = 0;
   std::uint64_t version = 0;       ///< another number after every change of a field
+  std::uint32_t standing = 0;      ///< bit y: water may stand on row y
   std::uint8_t slots = 0;          ///< bit k: moving[k] or fixed[k] may hold something
   bool is_wet = false;             ///< any water
   bool has_changed = false;        ///< since its edges were published
@@ -89,13 +94,13 @@ struct Sheet::Inside {
   [[nodiscard]] static std::size_t cell_at(int column, int row) {
     return static_cast<std::size_t>(row % kTile) * kTile + static_cast<std::size_t>(column % kTile);
   }
-  /// As cell_at(), in a field with a frame of one cell.
-  [[nodiscard]] static std::size_t padded_at(int column, int row) {
-    return static_cast<std::size_t>(row % kTile + 1) * kPadded + static_cast<std::size_t>(column % kTile + 1);
-  }
+  /// As cell_at(), in a field of the paper.
+  [[nodiscard]] static std::size_t paper_at(int column, int row) { return kTile + cell_at(column, row); }
+  /// Notes that a field of a tile was changed from outside.
   void touch_tile(Tile& tile) {
     tile.has_changed = true;
     tile.has_next_edges = false;
+    tile.standing = ~std::uint32_t{0};
     tile.version = ++versions;
   }
   /// Makes the fixed pigment of a cell part of the ground.
@@ -113,10 +118,14 @@ struct Sheet::Inside {
 void prepare_edges(Tile& tile);
 /// Makes them those of this step.
 void publish_edges(Tile& tile);
-/// One step of a tile. @param neighbours  the edges that face it; nullptr at the border of the sheet.
-/// @return whether anything changed.
-[[nodiscard]] bool step_tile(const StepRules& rules, Tile& tile,
-                             const std::array<const Edge*, 4>& neighbours);
+/// A tile and the edges that face it; nullptr at the border of the sheet.
+struct Surrounded {
+  Tile* tile;
+  std::array<const Edge*, 4> neighbours;
+};
+/// One step of a tile whose edges are published. @param next  the tile whose turn it is afterwards, which is
+/// brought into the cache meanwhile; nullptr for none. @return whether anything changed.
+[[nodiscard]] bool step_tile(const StepRules& rules, const Surrounded& now, const Surrounded* next = nullptr);
 
 /// Height and density of every cell of a sheet, each equally distributed over 0..65535, row by row.
 struct Grain {

@@ -52,14 +52,14 @@ surface::HeightMap relief_of(const Sheet& sheet, const ReliefOptions& options) {
   for (int row = 0; row < sheet.size(); ++row) {
     for (int column = 0; column < sheet.size(); ++column) {
       const Tile& tile = sheet.inside().tile_at(column, row);
-      const auto padded = sheet.inside().padded_at(column, row);
+      const auto at = sheet.inside().paper_at(column, row);
       const double paint =
           options.per_filling *
           static_cast<double>(
               thickness[static_cast<std::size_t>(row) * size + static_cast<std::size_t>(column)]);
       // As much paint as the grain is high fills its hollows.
       const double bare = options.tooth > 0 ? std::max(1 - paint / options.tooth, 0.0) : 0;
-      const double grain = options.tooth * bare * (tile.height[padded] / 65535.0 - 1);
+      const double grain = options.tooth * bare * (tile.height[at] / 65535.0 - 1);
       map.set(column, row, static_cast<float>(options.paper + paint + grain));
     }
   }

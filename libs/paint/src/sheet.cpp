@@ -34,14 +34,24 @@ void fill_grain(Sheet::Inside& sheet) {
     Tile& tile = *sheet.tiles[t];
     const int column0 = static_cast<int>(t) % sheet.tiles_a_side * kTile;
     const int row0 = static_cast<int>(t) / sheet.tiles_a_side * kTile;
-    for (int y = 0; y < kPadded; ++y) {
-      for (int x = 0; x < kPadded; ++x) {
-        const int column = std::clamp(column0 + x - 1, 0, last), row = std::clamp(row0 + y - 1, 0, last);
-        const auto from = static_cast<std::size_t>(row) * static_cast<std::size_t>(sheet.size) +
-                          static_cast<std::size_t>(column);
-        const auto to = static_cast<std::size_t>(y) * kPadded + static_cast<std::size_t>(x);
-        tile.height[to] = grain.height[from];
-        tile.density[to] = grain.density[from];
+    // The border of the sheet is repeated beyond it.
+    const auto from = [&](int x, int y) {
+      const int column = std::clamp(column0 + x, 0, last), row = std::clamp(row0 + y, 0, last);
+      return static_cast<std::size_t>(row) * static_cast<std::size_t>(sheet.size) +
+             static_cast<std::size_t>(column);
+    };
+    for (int y = 0; y < kPaperRows; ++y) {
+      for (int x = 0; x < kTile; ++x) {
+        const auto to = static_cast<std::size_t>(y * kTile + x);
+        tile.height[to] = grain.height[from(x, y - 1)];
+        tile.density[to] = grain.density[from(x, y - 1)];
+      }
+    }
+    for (const Side side : {left, right}) {
+      for (int y = 0; y < kTile; ++y) {
+        const auto at = from(side == left ? -1 : kTile, y), to = static_cast<std::size_t>(y);
+        tile.height_beside[side][to] = grain.height[at];
+        tile.density_beside[side][to] = grain.density[at];
       }
     }
   }
@@ -69,9 +79,10 @@ void cover_tile(const Sheet::Inside& sheet, Tile& tile) {
   for (std::size_t cell = 0; cell < kCells; ++cell) sheet.cover(tile, cell);
 }
 
-void run_tile(Sheet::Inside& sheet, Tile& tile, const std::array<const Edge*, 4>& edges) {
+void run_tile(Sheet::Inside& sheet, const Surrounded& now, const Surrounded* next) {
+  Tile& tile = *now.tile;
   const bool was_wet = tile.is_wet;
-  tile.has_changed = step_tile(sheet.rules, tile, edges);
+  tile.has_changed = step_tile(sheet.rules, now, next);
   // The fields are still in the cache.
   if (tile.has_changed) prepare_edges(tile);
   if (!was_wet && tile.is_wet) cover_tile(sheet, tile);
@@ -219,7 +230,7 @@ Cell Sheet::at(int column, int row) const {
     cell.fixed[k] = tile.fixed[k][i];
   }
   cell.covered = tile.ground ? tile.ground->covered[i] : 0;
-  cell.height = tile.height[Sheet::Inside::padded_at(column, row)] / 65535.0;
+  cell.height = tile.height[Sheet::Inside::paper_at(column, row)] / 65535.0;
   return cell;
 }
 
@@ -250,22 +261,20 @@ void Sheet::step(const StepOptions& options) {
     tile->edges_changed = 0;
     if (tile->has_changed) publish_edges(*tile);
   }
-  struct Work {
-    Tile* tile;
-    std::array<const Edge*, 4> edges;
-  };
-  std::vector<Work> work;
+  std::vector<Surrounded> work;
   for (std::size_t i = 0; i < sheet.tiles.size(); ++i) {
     Tile& tile = *sheet.tiles[i];
     const auto neighbours = neighbours_of(sheet, i);
     if (options.sleep && !tile.has_changed && !faces_change(neighbours)) continue;
-    Work one{&tile, {}};
+    Surrounded one{&tile, {}};
     for (std::size_t side = 0; side < 4; ++side)
-      one.edges[side] = neighbours[side] != nullptr ? &shown_edge(*neighbours[side], kFacing[side]) : nullptr;
+      one.neighbours[side] =
+          neighbours[side] != nullptr ? &shown_edge(*neighbours[side], kFacing[side]) : nullptr;
     work.push_back(one);
   }
   const auto run = [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) run_tile(sheet, *work[i].tile, work[i].edges);
+    for (std::size_t i = first; i < last; ++i)
+      run_tile(sheet, work[i], i + 1 < last ? &work[i + 1] : nullptr);
   };
   const std::size_t half = options.threads > 1 ? work.size() / 2 : work.size();
   if (half < work.size()) {
@@ -281,7 +290,7 @@ void Sheet::step(const StepOptions& options) {
     run(0, half);
   }
   sheet.awake = static_cast<int>(work.size());
-  for (const Work& one : work)
+  for (const Surrounded& one : work)
     if (one.tile->has_changed) one.tile->version = ++sheet.versions;
 }
 

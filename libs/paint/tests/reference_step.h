@@ -68,7 +68,7 @@ class ReferenceStep {
 
   [[nodiscard]] Grain grain_of(const Sheet::Inside& sheet, int column, int row) const {
     const Tile& tile = sheet.tile_at(column, row);
-    const std::size_t i = Sheet::Inside::padded_at(column, row);
+    const std::size_t i = Sheet::Inside::paper_at(column, row);
     const float height = static_cast<float>(tile.height[i]) * (1.0F / 65535.0F);
     const float density = static_cast<float>(tile.density[i]) * (1.0F / 65535.0F);
     return {height, rules_.pinning + rules_.pinning_height * height + rules_.pinning_density * density,

@@ -72,19 +72,23 @@ const Edge* edge_of(const Sheet::Inside& sheet, int column, int row, Side side) 
   return &shown_edge(sheet.tile_at(column, row), side);
 }
 
+/// Water and pigment fall on some cells, also where none stood before.
+void drop(Random& random, Sheet& sheet) {
+  for (int i = random.below(3) * 20; i > 0; --i)
+    sheet.drop(random.below(kSize), random.below(kSize), random.below(2 * kOne),
+               {random.below(kOne), random.below(2) * random.below(kOne), 0});
+}
+
 /// Every tile makes the step, without the layers of a sheet.
 void step_tiles(Sheet::Inside& sheet) {
-  for (const auto& tile : sheet.tiles) {
-    sheet.touch_tile(*tile);
-    publish_edges(*tile);
-  }
+  for (const auto& tile : sheet.tiles) publish_edges(*tile);
   for (int row = 0; row < kSize; row += kTile)
     for (int column = 0; column < kSize; column += kTile) {
       Tile& tile = sheet.tile_at(column, row);
-      tile.has_changed =
-          step_tile(sheet.rules, tile,
-                    {edge_of(sheet, column - 1, row, right), edge_of(sheet, column + kTile, row, left),
-                     edge_of(sheet, column, row - 1, bottom), edge_of(sheet, column, row + kTile, top)});
+      tile.has_changed = step_tile(
+          sheet.rules, {&tile,
+                        {edge_of(sheet, column - 1, row, right), edge_of(sheet, column + kTile, row, left),
+                         edge_of(sheet, column, row - 1, bottom), edge_of(sheet, column, row + kTile, top)}});
     }
 }
 
@@ -111,7 +115,11 @@ TEST(StepBits, AreThoseOfACellByCellStep) {
     Sheet sheet = sheet_of(kSize, paper_at_random(random));
     fill(random, sheet.inside());
     ReferenceStep reference(sheet.inside());
-    for (int i = 0; i < 6 && !testing::Test::HasFailure(); ++i) {
+    for (int i = 0; i < 8 && !testing::Test::HasFailure(); ++i) {
+      if (i == 4) {
+        drop(random, sheet);
+        reference = ReferenceStep(sheet.inside());
+      }
       const ReferenceStep before = reference;
       const TotalAmount air = sheet.evaporated();
       const TotalAmount evaporated = reference.step();
@@ -120,6 +128,29 @@ TEST(StepBits, AreThoseOfACellByCellStep) {
       EXPECT_EQ(sheet.evaporated() - air, evaporated);
     }
   }
+}
+
+/// The sides of a tile whose neighbours are told of a change, after `field` holds `amount` in a cell.
+int sides_after(Sheet::Inside& sheet, Field& field, std::size_t cell, Amount amount) {
+  Tile& tile = *sheet.tiles[0];
+  field[cell] = amount;
+  sheet.settle(tile);
+  publish_edges(tile);
+  return tile.edges_changed;
+}
+
+TEST(Edges, NeighboursAreToldOfEveryChangeOnTheirSideAndOfNoOther) {
+  Sheet sheet = sheet_of(kSize);
+  Tile& tile = *sheet.inside().tiles[0];
+  constexpr std::size_t kLeft = 5 * kTile, kBottom = std::size_t{kTile} * (kTile - 1) + 7,
+                        kMiddle = kLeft + 9;
+  for (Field* field : {&tile.surface, &tile.fibre, &tile.moving[0], &tile.moving[1], &tile.moving[2]})
+    for (const auto& [cell, sides] :
+         {std::pair(kLeft, 1 << left), std::pair(kBottom, 1 << bottom), std::pair(kMiddle, 0)})
+      for (const Amount amount : {3, 4, 0, 5, 0}) {
+        EXPECT_EQ(sides_after(sheet.inside(), *field, cell, amount), sides) << cell << ", " << amount;
+        EXPECT_EQ(sides_after(sheet.inside(), *field, cell, amount), 0) << "nothing changed";
+      }
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ struct Model {
           one.fixed[k] = cell.fixed[k];
         }
         const Tile& tile = sheet.inside().tile_at(column, row);
-        one.density = tile.density[Sheet::Inside::padded_at(column, row)] / 65535.0;
+        one.density = tile.density[Sheet::Inside::paper_at(column, row)] / 65535.0;
         cells.push_back(one);
       }
   }
@@ -249,16 +249,20 @@ TEST(Grain, LiesOnTheSheetAsItWasMade) {
     for (int column = 0; column < kSize; ++column) {
       const Tile& tile = sheet.inside().tile_at(column, row);
       // Each tile repeats one cell of its neighbours, and at the border of the sheet its own.
-      for (const auto& [x, y] :
-           {std::pair(0, 0), std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
-        const int c = std::clamp(column + x, 0, kSize - 1);
-        const int r = std::clamp(row + y, 0, kSize - 1);
-        const std::size_t padded =
-            Sheet::Inside::padded_at(column, row) + static_cast<std::size_t>(y * kPadded + x);
-        ASSERT_EQ(tile.height[padded], grain.height[static_cast<std::size_t>(r * kSize + c)])
-            << c << ", " << r;
-        ASSERT_EQ(tile.density[padded], grain.density[static_cast<std::size_t>(r * kSize + c)])
-            << c << ", " << r;
+      const auto from = [&](int x, int y) {
+        return static_cast<std::size_t>(std::clamp(row + y, 0, kSize - 1) * kSize +
+                                        std::clamp(column + x, 0, kSize - 1));
+      };
+      for (const int y : {-1, 0, 1}) {
+        const std::size_t at = Sheet::Inside::paper_at(column, row) + static_cast<std::size_t>(y * kTile);
+        ASSERT_EQ(tile.height[at], grain.height[from(0, y)]) << column << ", " << row + y;
+        ASSERT_EQ(tile.density[at], grain.density[from(0, y)]) << column << ", " << row + y;
+      }
+      for (const Side side : {left, right}) {
+        if (column % kTile != (side == left ? 0 : kTile - 1)) continue;
+        const std::size_t beyond = from(side == left ? -1 : 1, 0), y = static_cast<std::size_t>(row % kTile);
+        ASSERT_EQ(tile.height_beside[side][y], grain.height[beyond]) << column << ", " << row;
+        ASSERT_EQ(tile.density_beside[side][y], grain.density[beyond]) << column << ", " << row;
       }
     }
 }
