@@ -54,7 +54,7 @@ struct OutlinePen {
   static void line(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float x, float y, void*) {
     of(data).steps.push_back({PathStep::Kind::line, {of(data).at(x, y)}});
   }
-  /// TrueType curves have one control point.
+  /// TrueType curves have one control point; a font with other curves is not opened.
   static void quadratic(hb_draw_funcs_t*, void* data, hb_draw_state_t* state, float cx, float cy, float x,
                         float y, void*) {
     const OutlinePen& pen = of(data);
@@ -63,11 +63,6 @@ struct OutlinePen {
     const PaperPoint to = pen.at(x, y);
     of(data).steps.push_back(
         {PathStep::Kind::curve, {from + (control - from) * (2.0 / 3), to + (control - to) * (2.0 / 3), to}});
-  }
-  static void cubic(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float ax, float ay, float bx, float by,
-                    float x, float y, void*) {
-    const OutlinePen& pen = of(data);
-    of(data).steps.push_back({PathStep::Kind::curve, {pen.at(ax, ay), pen.at(bx, by), pen.at(x, y)}});
   }
   static void close(hb_draw_funcs_t*, void* data, hb_draw_state_t*, void*) {
     of(data).steps.push_back({PathStep::Kind::close, {}});
@@ -80,7 +75,6 @@ std::unique_ptr<hb_draw_funcs_t, decltype(&hb_draw_funcs_destroy)> outline_funct
   hb_draw_funcs_set_move_to_func(made.get(), &OutlinePen::move, nullptr, nullptr);
   hb_draw_funcs_set_line_to_func(made.get(), &OutlinePen::line, nullptr, nullptr);
   hb_draw_funcs_set_quadratic_to_func(made.get(), &OutlinePen::quadratic, nullptr, nullptr);
-  hb_draw_funcs_set_cubic_to_func(made.get(), &OutlinePen::cubic, nullptr, nullptr);
   hb_draw_funcs_set_close_path_func(made.get(), &OutlinePen::close, nullptr, nullptr);
   return made;
 }

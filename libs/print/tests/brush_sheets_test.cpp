@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nazori/print/worksheet.h"
+#include "page_parts.h"
 
 namespace nazori::print {
 namespace {
@@ -146,6 +147,50 @@ TEST(BrushSheets, FoldsLieBetweenTheCharactersAndBesideTheName) {
                           line(name, 165, 231, 165)));
   settings.per_sheet = 1;
   EXPECT_THAT(folds(pages({level(U'一')}, settings)[0]), ElementsAre(line(name, 12, name, 318)));
+}
+
+TEST(BrushSheets, FoldsAreThinGreyDashesAndTheFrameIsSolid) {
+  const auto page = pages({level(U'一')}, brush(4))[0];
+  int folds = 0;
+  for (const PageMark& mark : page.marks) {
+    if (mark.dash_mm == 0) continue;
+    ++folds;
+    EXPECT_NEAR(mark.grey, 0.6, 0.001);
+    EXPECT_NEAR(mark.width_mm, 0.15, 0.003);
+    EXPECT_NEAR(mark.dash_mm, 3, 0.003);
+  }
+  EXPECT_EQ(folds, 2);
+  const auto frame = std::find_if(page.marks.begin(), page.marks.end(), [](const PageMark& mark) {
+    return !mark.filled && mark.path.back().kind == PathStep::Kind::close;
+  });
+  ASSERT_NE(frame, page.marks.end());
+  EXPECT_NEAR(frame->grey, 0.45, 0.001);
+  EXPECT_NEAR(frame->width_mm, 0.25, 0.003);
+  EXPECT_EQ(frame->dash_mm, 0);
+  const Box box = box_of(*frame);
+  EXPECT_NEAR(box.left, 12, 0.02);
+  EXPECT_NEAR(box.top, 12, 0.02);
+  EXPECT_NEAR(box.right, 231, 0.02);
+  EXPECT_NEAR(box.bottom, 318, 0.02);
+}
+
+TEST(BrushSheets, TheLabelOfTheNameStandsInTheMiddleOfItsColumnAtTheTop) {
+  SheetSettings settings = brush(1);
+  settings.name_line = true;
+  settings.language = Language::japanese;
+  std::vector<Box> letters;
+  for (const PageMark& mark : pages({level(U'一')}, settings)[0].marks)
+    if (const Box box = box_of(mark); mark.filled && box.bottom < 100) letters.push_back(box);
+  ASSERT_EQ(letters.size(), 2U) << "名前";
+  // Each fills most of its square of 4 mm; the first square begins 2 mm below the frame.
+  const double middle = 12 + 0.13 * kWidth / 2;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double top = 12 + 2 + 4 * static_cast<double>(i);
+    EXPECT_NEAR((letters[i].left + letters[i].right) / 2, middle, 0.3) << i;
+    EXPECT_NEAR((letters[i].top + letters[i].bottom) / 2, top + 2, 0.4) << i;
+    EXPECT_GT(letters[i].right - letters[i].left, 2.5) << i;
+    EXPECT_LT(letters[i].right - letters[i].left, 4) << i;
+  }
 }
 
 TEST(BrushSheets, CopiesFadeAndTheOtherSheetsAreEmpty) {

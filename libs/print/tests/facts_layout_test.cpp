@@ -140,6 +140,36 @@ TEST(FactsLayout, TextsThatAreTooLongEndAtTheMargin) {
   EXPECT_GT(right, 210 - kMargin_mm - 5) << "and uses the room";
 }
 
+// The first card lies back to back with the left one of the front: from 105 to 190 mm across and from 16 to
+// 66 mm down.
+TEST(FactsLayout, TheBackOfACardKeepsFiveMillimetresFromItsEdges) {
+  SheetSettings settings = plain();
+  settings.layout = Layout::cards;
+  const std::vector<kanji::Word> words(12, word("語", "ご", std::string(300, 'm')));
+  auto made = Worksheet::lay_out({described(words)}, settings);
+  ASSERT_TRUE(made);
+  ASSERT_EQ(made->page_count(), 2U);
+  const PageDrawing page = made->page(1);
+  Box inside;
+  int lines = 0;
+  for (const PageMark& mark : page.marks) {
+    const Box box = box_of(mark);
+    if (!mark.filled || box.top > 280) continue;
+    inside.left = std::min(inside.left, box.left);
+    inside.right = std::max(inside.right, box.right);
+    inside.top = std::min(inside.top, box.top);
+    inside.bottom = std::max(inside.bottom, box.bottom);
+    if (mark.grey == 0) ++lines;
+  }
+  // Each takes 2.09 + 4.5 mm and needs 2.09 + 3.6 of them: six end at 38.64 of 40 mm.
+  EXPECT_EQ(lines, 6);
+  EXPECT_NEAR(inside.left, 110, 0.6);
+  EXPECT_LE(inside.right, 185.1);
+  EXPECT_GT(inside.right, 180) << "and uses the room";
+  EXPECT_NEAR(inside.top, 21, 0.8);
+  EXPECT_LE(inside.bottom, 61);
+}
+
 TEST(SheetLanguage, LabelsAndHeaderAreInTheLanguageOfTheSheet) {
   SheetCharacter one = described({});
   one.character.entry.on_readings = {"キュウ"};

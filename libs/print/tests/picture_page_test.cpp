@@ -62,5 +62,21 @@ TEST(PicturePage, RefusesWhatIsNoPictureAndWhatDoesNotFit) {
   EXPECT_FALSE(picture_page({2, 4, rgb, 200}, ""));
 }
 
+TEST(PicturePage, RefusesAPictureWithoutWidthHeightOrSize) {
+  const std::vector<std::uint8_t> rgb(2 * 3);
+  PagePicture picture;
+  picture.rgb = rgb;
+  picture.height = 2;
+  picture.width_mm = 10;
+  EXPECT_FALSE(picture_page(picture, "")) << "no width";
+  picture.width = 2;
+  picture.height = PagePicture().height;
+  EXPECT_FALSE(picture_page(picture, "")) << "no height";
+  picture.height = 1;
+  EXPECT_TRUE(picture_page(picture, ""));
+  picture.width_mm = PagePicture().width_mm;
+  EXPECT_FALSE(picture_page(picture, "")) << "no size on the page";
+}
+
 }  // namespace
 }  // namespace nazori::print

@@ -87,6 +87,15 @@ TEST(SheetMarkBounds, CellsLieOnThePageOrTheMarkIsRefused) {
     m.cell_mm = 15.51;
     m.runs[0].characters.assign(12, U'休');
   }));
+  // Five letters of 37.22 mm are 186.1 mm: exactly the tenth that rounding may add.
+  EXPECT_TRUE(is_read(quiz(), [](SheetMark& m) {
+    m.cell_mm = 37.22;
+    m.runs[0].characters.assign(5, U'休');
+  }));
+  EXPECT_FALSE(is_read(quiz(), [](SheetMark& m) {
+    m.cell_mm = 37.23;
+    m.runs[0].characters.assign(5, U'休');
+  }));
   EXPECT_TRUE(is_read(quiz(), [](SheetMark& m) {
     m.vertical = true;
     m.runs[0].across_mm = 186 - 15;
