@@ -178,7 +178,7 @@ DailyAmount amount_for(int minutes, bool is_kana) {
   constexpr double kReview_s = 24;
   const double all_s = 60.0 * minutes;
   return {std::max(1, static_cast<int>(std::lround(all_s / (is_kana ? kKana_s : kKanji_s)))),
-          std::max(1, static_cast<int>(all_s / kReview_s))};
+          static_cast<int>(all_s / kReview_s)};
 }
 
 LearningAnswers answers_of(const study::Settings& settings) {

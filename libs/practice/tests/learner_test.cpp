@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "learner_under_test.h"
+#include "nazori/author/collection.h"
 #include "nazori/study/backups.h"
 #include "nazori/study/profiles.h"
 
@@ -29,6 +30,16 @@ class PracticeLearner : public LearnerTest {
     learner_->changed.connect([this] { heard_.emplace_back("changed"); });
     learner_->profile_changed.connect([this] { heard_.emplace_back("profile"); });
     learner_->announced.connect([this](const LearnerEvent&) { heard_.emplace_back("announced"); });
+  }
+  /// A character of the learner's own with one stroke.
+  [[nodiscard]] char32_t make_character() const {
+    author::OwnCharacter sign;
+    sign.facts.name = "bar";
+    const author::OwnStroke bar{{{{30, 95}, 2, 0.4}, {{80, 80}, 4, 1}}, kanji::StrokeEnding::stop, {}};
+    sign.strokes = {bar};
+    const auto kept = author::Collection(own_characters()).keep(sign, std::nullopt);
+    EXPECT_TRUE(kept);
+    return kept.value_or(0);
   }
   std::vector<std::string> heard_;
 };
@@ -286,6 +297,19 @@ TEST_F(PracticeLearner, ListsThatChangedChangeWhatIsLearntNext) {
   learner_->renew_order();
   EXPECT_THAT(heard_, ElementsAre("changed"));
   EXPECT_EQ(learner_->plan()->now.front().character, U'三');
+}
+
+TEST_F(PracticeLearner, ListsStayWhereTheyAreWhenCharactersAreMade) {
+  const study::CharacterLists* const lists = learner_->lists();
+  const char32_t made = make_character();
+  EXPECT_EQ(learner_->lists()->facts(made), nullptr);
+  listen();
+  learner_->renew_characters();
+  EXPECT_THAT(heard_, ElementsAre("changed"));
+  EXPECT_EQ(learner_->lists(), lists) << "others hold the address";
+  EXPECT_NE(learner_->lists()->facts(made), nullptr);
+  learner_->renew_characters();
+  EXPECT_THAT(heard_, ElementsAre("changed")) << "nothing is new";
 }
 
 TEST_F(PracticeLearner, WhatIsCheckedIsDroppedWhenTheLearnerGoes) {

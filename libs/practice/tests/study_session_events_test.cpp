@@ -140,6 +140,16 @@ TEST_F(SessionEvents, WhatHappensAwayFromTheCharacterCountsForNothing) {
   EXPECT_EQ(session_->stage(), Stage::trace) << "the learner may do any stage";
 }
 
+TEST_F(SessionEvents, AFinishedStageIsAnnouncedWhenTheNextOneIsOffered) {
+  ASSERT_TRUE(session_->start());
+  std::vector<State> seen;
+  session_->changed.connect([&] { seen.push_back(session_->state()); });
+  session_->finish_stage(Stage::watch, {});
+  ASSERT_FALSE(seen.empty());
+  EXPECT_EQ(seen.back(), State::offered);
+  EXPECT_EQ(session_->stage(), Stage::trace);
+}
+
 TEST_F(SessionEvents, HelpAndMissesOfAStageAreKeptWithIt) {
   ASSERT_TRUE(session_->start());
   session_->add_hint();
