@@ -134,6 +134,12 @@ void StrokeMatching::try_join(std::size_t i, std::size_t j, float here) {
   if (cost(i, j) <= 2) return;
   const auto e = strokes_.compare_with_pair(i, j, kFar);
   if (e.reversed || e.cost >= kAccept) return;
+  // A short stroke makes little difference to a long one: where it was left out, the shape of the long one
+  // alone fits better.
+  constexpr float kSlack = 1.15F;
+  const float alone =
+      std::min(strokes_.compare(i, j, kFar).proportion, strokes_.compare(i, j + 1, kFar).proportion);
+  if (e.proportion >= kSlack * alone) return;
   if (goes_through_both(strokes_.laid_line(i), pairs[j].whole, strokes_.model()[j].whole,
                         strokes_.model()[j + 1].whole))
     improve(i + 1, j + 2, here + e.cost + kJoined, Move::join);

@@ -100,6 +100,23 @@ TEST(Grade, TwoStrokesWithoutLiftingThePenAreJoined) {
   EXPECT_THAT(g.mistakes[0].model, ElementsAre(4, 5));
 }
 
+TEST(Grade, ALongStrokeDoesNotHideTheShortOneThatIsMissing) {
+  // KanjiVG 20220427 (Ulrich Apel, CC BY-SA 3.0).
+  const auto ne = character(
+      U'ね', {"|M33.29,14.5c1.62,1.62,2.1,3.21,1.88,5.88c-1.03,11.93-2.06,31.66-2.53,53.12c-0.1,4.62-0.18,"
+              "9.31-0.22,14",
+              "|M17.16,37.88c1.62,0.88,3.25,1.38,5.62,0.75c2.14-0.56,7.8-2.31,12.37-4.03c6.26-2.35,6.88-1.47,"
+              "3.12,3.63c-5.56,7.53-13.02,17.38-18.48,26.77c-5.6,9.62-3.45,8.3,2,3c19.12-18.62,38.5-39.12,"
+              "54.12-39.12c11.38,0,12.88,11.25,12.88,32.5c0,28.62-30.18,24.88-30.18,16.26c0-9.63,18.73-7.82,"
+              "28.06-1.88c2.75,1.75,5.88,4.88,7.5,6.75"});
+  auto ink = trace(ne);
+  ink.strokes.erase(ink.strokes.begin());
+  EXPECT_THAT(mistake_names(graded(ink, model_of(ne))), ElementsAre("missing@0"));
+  auto together = trace(ne);
+  together.strokes = {joined(together.strokes[0], together.strokes[1])};
+  EXPECT_THAT(mistake_names(graded(together, model_of(ne))), ElementsAre("joined@0"));
+}
+
 TEST(Grade, AStrokeThatCoversOneOfTwoIsNotBothOfThem) {
   // However uneven the hand: a missing stroke is missing, not joined to its neighbour.
   for (const auto& c : {rest(), soil(), eye()}) {
