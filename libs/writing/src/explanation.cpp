@@ -71,6 +71,8 @@ std::string explain(const Mistake& mistake, const Grade& grade, Language languag
     case kanji::MistakeKind::reversed:
       return fill(text_of_start(mistake.start), language, stroke);
     case kanji::MistakeKind::missing:
+      if (mistake.model.size() == 2)
+        return fill(Text::one_missing, language, number(mistake.model[0]), number(mistake.model[1]));
       return fill(Text::missing, language, stroke);
     case kanji::MistakeKind::extra:
       return fill(Text::extra, language, number(mistake.stroke));

@@ -31,6 +31,8 @@ Sentence sentence(Text which) {
       return {"Stroke {0} starts at the right.", "{0}画目は右から書き始めます。"};
     case Text::missing:
       return {"Stroke {0} is missing.", "{0}画目が抜けています。"};
+    case Text::one_missing:
+      return {"Stroke {0} or {1} is missing.", "{0}画目か{1}画目が抜けています。"};
     case Text::extra:
       return {"Your stroke {0} isn't part of this character.", "{0}番目に書いた画は、この字にはありません。"};
     case Text::joined:

@@ -20,6 +20,7 @@ enum class Text : std::uint8_t {
   starts_left,
   starts_right,
   missing,
+  one_missing,
   extra,
   joined,
   split,

@@ -18,6 +18,7 @@
 #include "strangeness.h"
 #include "stroke_comparer.h"
 #include "stroke_order_mistakes.h"
+#include "voicing_marks.h"
 
 namespace nazori::writing {
 namespace {
@@ -85,6 +86,9 @@ class Judge {
     is_other_form_ = true;
   }
 
+  /// A stroke that looks like the missing one, which may be missing instead.
+  void doubt(std::optional<int> alike) { alike_ = alike; }
+
   Grade run() {
     judge_strokes();
     judge_count();
@@ -147,7 +151,11 @@ class Judge {
 
   void judge_count() {
     for (const int i : alignment_.extra) add({kanji::MistakeKind::extra, i, {}, {}});
-    for (const int j : alignment_.missing) add({kanji::MistakeKind::missing, j, {}, {j}});
+    for (const int j : alignment_.missing) {
+      Mistake mistake{kanji::MistakeKind::missing, j, {}, {j}};
+      if (alike_) mistake.model.push_back(*alike_);
+      add(std::move(mistake));
+    }
   }
 
   void judge_order() {
@@ -293,6 +301,7 @@ class Judge {
   double share_ = 1;      // of the limit
   double strangest_ = 0;  // deviation of the strangest stroke, 1 at the limit of normal strictness
   bool is_other_form_ = false;
+  std::optional<int> alike_;
   Alignment alignment_;
   Grade grade_;
   double shape_sum_ = 0;
@@ -307,7 +316,13 @@ Extent extent_of(const GradeOptions& options) {
 Grade judge_main_form(std::span<const Shape> drawn, const std::optional<Affine>& box,
                       const ModelInside& model, const GradeOptions& options) {
   StrokeComparer strokes(drawn, model.main.shapes, model.main.pairs);
-  return Judge(strokes, align(strokes, box, extent_of(options)), model.main, model.orders, options).run();
+  auto alignment = align(strokes, box, extent_of(options));
+  std::optional<int> alike;
+  if (const auto mark = model.main.first_voicing_mark; mark && !options.unfinished)
+    alike = settle_voicing_marks(strokes, alignment, *mark, box);
+  Judge judge(strokes, std::move(alignment), model.main, model.orders, options);
+  judge.doubt(alike);
+  return judge.run();
 }
 
 /// What is accepted as another form.

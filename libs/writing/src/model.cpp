@@ -7,6 +7,7 @@
 #include "alignment.h"
 #include "kana_dots.h"
 #include "model_inside.h"
+#include "voicing_marks.h"
 
 namespace nazori::writing {
 namespace {
@@ -49,6 +50,7 @@ base::Result<Form> make_form(const kanji::Character& character) {
                       "choose a character that has strokes");
   Form form;
   form.variant = character.variant;
+  form.first_voicing_mark = first_voicing_mark(character);
   for (const auto& stroke : character.strokes) {
     if (stroke.line.points.empty())
       return base::fail(base::Errc::bad_argument, "a stroke of the character has no points");

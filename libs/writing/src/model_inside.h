@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,8 @@ struct Form {
   std::vector<std::vector<Shape>> other_ways;  ///< to write each stroke; kana only
   std::vector<Shape> pairs;                    ///< strokes k and k + 1 written without lifting the pen, at k
   std::vector<kanji::StrokeEnding> endings;
-  std::vector<char> free_ending;  ///< the source names two types: both endings are right
+  std::optional<std::size_t> first_voicing_mark;  ///< the stroke; the second mark follows it
+  std::vector<char> free_ending;                  ///< the source names two types: both endings are right
 };
 
 struct ModelInside {

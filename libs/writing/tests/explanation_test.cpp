@@ -132,6 +132,8 @@ TEST(Explanation, EachMistakeHasItsOwnWords) {
   EXPECT_EQ(said({kanji::MistakeKind::extra, 3, {}, {}}), "Your stroke 4 isn't part of this character.");
   EXPECT_EQ(said({kanji::MistakeKind::missing, 3, {}, {}}), "Stroke 4 is missing.")
       << "by its own number where none is named";
+  EXPECT_EQ(said({kanji::MistakeKind::missing, 4, {}, {4, 3}}), "Stroke 5 or 4 is missing.")
+      << "the likelier first";
   Mistake mistake{kanji::MistakeKind::reversed, 0, {}, {1}};
   const std::pair<Side, std::string> sides[] = {
       {Side::top, "top"}, {Side::bottom, "bottom"}, {Side::left, "left"}, {Side::right, "right"}};

@@ -28,7 +28,8 @@ struct Mistake {
   int stroke = 0;             ///< drawn stroke, from 0; missing: stroke of the model
   std::optional<int> second;  ///< order: the drawn stroke that should have come before it, none if it is not
                               ///< drawn yet; joined, split: see `model`
-  std::vector<int> model;     ///< strokes of the model it is about
+  std::vector<int> model;  ///< strokes of the model it is about; missing: also one that looks alike and may
+                           ///< be missing instead (one of two voicing marks)
   Deviation deviation = Deviation::none;                       ///< wrong: what deviates most
   char32_t character = 0;                                      ///< other: what was written
   kanji::StrokeEnding expected = kanji::StrokeEnding::either;  ///< ending: the ending of the model
