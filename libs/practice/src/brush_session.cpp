@@ -42,8 +42,11 @@ bool BrushSession::start() {
     return false;
   }
   skipped_.clear();
-  const auto all = due(Kind::no_plan);
-  if (!all) return false;
+  const auto all = due();
+  if (!all) {
+    announce(Kind::no_plan, all.error());
+    return false;
+  }
   if (all->empty()) {
     announce(Kind::nothing_due);
     return false;
@@ -55,19 +58,19 @@ bool BrushSession::start() {
 }
 
 void BrushSession::end(bool done) {
-  if (!is_running()) return;
+  if (is_running()) stop(done ? Kind::all_done : Kind::ended);
+}
+
+void BrushSession::stop(SessionFeedback::Kind why, const base::Error& error) {
   state_ = State::idle;
   changed();
   ended();
-  announce(done ? Kind::all_done : Kind::ended);
+  announce(why, error);
 }
 
-std::optional<std::vector<char32_t>> BrushSession::due(SessionFeedback::Kind if_unread) {
+base::Result<std::vector<char32_t>> BrushSession::due() {
   auto plan = learner_.plan();
-  if (!plan) {
-    announce(if_unread, plan.error());
-    return std::nullopt;
-  }
+  if (!plan) return tl::unexpected(std::move(plan.error()));
   std::erase_if(plan->brush, [this](char32_t one) {
     return std::find(skipped_.begin(), skipped_.end(), one) != skipped_.end();
   });
@@ -75,13 +78,10 @@ std::optional<std::vector<char32_t>> BrushSession::due(SessionFeedback::Kind if_
 }
 
 void BrushSession::next() {
-  const auto all = due(Kind::plan_lost);
-  if (!all || all->empty()) {
-    left_ = 0;
-    end(true);
-    return;
-  }
-  left_ = static_cast<int>(all->size());
+  const auto all = due();
+  left_ = all ? static_cast<int>(all->size()) : 0;
+  if (!all) return stop(Kind::plan_lost, all.error());
+  if (all->empty()) return end(true);
   present(all->front());
 }
 
@@ -184,8 +184,8 @@ void BrushSession::undo() {
   announced(*event);
   if (!undone) return;
   if (!is_running()) return;
-  const auto all = due(Kind::plan_lost);
-  if (!all) return end();
+  const auto all = due();
+  if (!all) return stop(Kind::plan_lost, all.error());
   left_ = static_cast<int>(all->size());
   if (event->characters.size() != 1) return changed();
   const char32_t back = event->characters.front();

@@ -81,7 +81,10 @@ void StudySession::begin() {
 }
 
 void StudySession::end(bool done) {
-  if (!is_running()) return;
+  if (is_running()) stop(done ? Kind::all_done : Kind::ended);
+}
+
+void StudySession::stop(SessionFeedback::Kind why, const base::Error& error) {
   state_ = State::idle;
   task_ = {};
   sheet_.reset();
@@ -89,7 +92,7 @@ void StudySession::end(bool done) {
   away_ = false;
   changed();
   ended();
-  announce(done ? Kind::all_done : Kind::ended);
+  announce(why, error);
 }
 
 void StudySession::measure(const study::DayPlan& plan) {
@@ -105,11 +108,7 @@ void StudySession::measure(const study::DayPlan& plan) {
 
 void StudySession::next_task() {
   const auto plan = learner_.plan();
-  if (!plan) {
-    announce(Kind::plan_lost, plan.error());
-    end(true);
-    return;
-  }
+  if (!plan) return stop(Kind::plan_lost, plan.error());
   // What was paused or reset meanwhile is no leech any more.
   std::erase_if(leeches_, [&](char32_t one) {
     return std::find(plan->leeches.begin(), plan->leeches.end(), one) == plan->leeches.end();

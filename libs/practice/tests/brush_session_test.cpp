@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/practice/brush_session.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <functional>
 
 #include "learner_under_test.h"
 #include "nazori/practice/character_history.h"
@@ -221,6 +224,35 @@ TEST_F(BrushSessionTest, UndoAlsoWorksAfterTheEnd) {
   EXPECT_EQ(card(U'一').brush, study::BrushReviews());
   EXPECT_FALSE(session_->is_running());
   EXPECT_TRUE(session_->start()) << "it is due again";
+}
+
+TEST_F(BrushSessionTest, APlanThatCannotBeReadEndsItAndBeginsNone) {
+  know({U'一', U'二', U'三'});
+  ASSERT_TRUE(learner_->store().save_list({"few", {U'一'}}));
+  auto settings = learner_->store().settings();
+  settings.new_lists = {"list:few"};
+  ASSERT_TRUE(learner_->store().change_settings(settings));
+  SQLite::Database other(learner_->file().string(), SQLite::OPEN_READWRITE, 1'000);
+  const auto lose_and_find = [&](const std::function<void()>& action, Kind kind) {
+    other.exec("ALTER TABLE list RENAME TO gone");
+    learner_->renew_order();
+    action();
+    EXPECT_EQ(events_.back().kind, kind);
+    EXPECT_EQ(events_.back().stage, Stage::brush);
+    EXPECT_FALSE(events_.back().error.what.empty());
+    EXPECT_FALSE(session_->is_running());
+    other.exec("ALTER TABLE gone RENAME TO list");
+  };
+  lose_and_find([&] { EXPECT_FALSE(session_->start()); }, Kind::no_plan);
+  ASSERT_TRUE(session_->start());
+  lose_and_find([&] { session_->skip(); }, Kind::plan_lost);
+  EXPECT_EQ(ended_, 1);
+  EXPECT_EQ(session_->total(), 0);
+  ASSERT_TRUE(session_->start());
+  session_->judge(grade(true), ink());
+  session_->rate(Rating::good);
+  lose_and_find([&] { session_->undo(); }, Kind::plan_lost);
+  EXPECT_EQ(ended_, 2);
 }
 
 TEST_F(BrushSessionTest, ASkippedCharacterStaysDueButDoesNotComeAgainInThisSession) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a session announces at each step, and what it saves and adds up.
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <span>
 
 #include "session_under_test.h"
@@ -206,6 +208,26 @@ TEST_F(SessionEvents, WithoutASessionNothingCanBePutAsideOrJudged) {
   events_.clear();
   session_->undo();
   EXPECT_EQ(last(), Kind::not_writable);
+}
+
+TEST_F(SessionEvents, APlanThatCannotBeReadEndsTheSessionAndBeginsNone) {
+  ASSERT_TRUE(session_->start());
+  int ended = 0;
+  session_->ended.connect([&ended] { ++ended; });
+  SQLite::Database other(learner_->file().string(), SQLite::OPEN_READWRITE, 1'000);
+  other.exec("ALTER TABLE list RENAME TO gone");
+  learner_->renew_order();
+  session_->postpone();
+  EXPECT_EQ(last(), Kind::plan_lost) << "not that all is done";
+  EXPECT_FALSE(events_.back().error.what.empty());
+  EXPECT_EQ(ended, 1);
+  EXPECT_FALSE(session_->is_running());
+  EXPECT_EQ(session_->character(), 0U);
+  EXPECT_FALSE(session_->start());
+  EXPECT_EQ(last(), Kind::no_plan);
+  EXPECT_FALSE(events_.back().error.what.empty());
+  other.exec("ALTER TABLE gone RENAME TO list");
+  EXPECT_TRUE(session_->start());
 }
 
 TEST_F(SessionEvents, NothingIsDueForALessonWhereNothingIsSetApart) {

@@ -87,8 +87,10 @@ class BrushSession {
   base::Signal<const SessionFeedback&> announced;
 
  private:
-  /// What is due and not skipped; nullopt where it cannot be read, which is announced.
-  [[nodiscard]] std::optional<std::vector<char32_t>> due(SessionFeedback::Kind if_unread);
+  /// What is due and not skipped. @return as Learner::plan().
+  [[nodiscard]] base::Result<std::vector<char32_t>> due();
+  /// Ends it and announces why.
+  void stop(SessionFeedback::Kind why, const base::Error& error = {});
   void next();
   void present(char32_t character);
   [[nodiscard]] std::chrono::milliseconds elapsed() const;

@@ -121,6 +121,8 @@ class StudySession {
 
  private:
   void begin();
+  /// Ends it and announces why.
+  void stop(SessionFeedback::Kind why, const base::Error& error = {});
   void next_task();
   void present(const study::StudyTask& task);
   void finish_task();
