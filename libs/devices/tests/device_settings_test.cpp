@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 namespace nazori::devices {
@@ -37,6 +38,10 @@ TEST_F(StoredDevices, HoldsEachDeviceTheMaterialAndTheChoice) {
   arm.name = "Touch (serial 12345)";
   memory.devices["pointer"].buttons = {ButtonDoes::previous_stroke, ButtonDoes::next_stroke};
   save(memory);
+  const auto buttons = std::count_if(stored_.begin(), stored_.end(), [](const auto& one) {
+    return one.first.find("/button_") != std::string::npos;
+  });
+  EXPECT_EQ(buttons, 4) << "two of each device";
   const DeviceMemory read = load();
   EXPECT_EQ(read.chosen, memory.chosen);
   EXPECT_EQ(read.material.stiffness, 0.1);

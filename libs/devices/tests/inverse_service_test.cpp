@@ -148,6 +148,18 @@ TEST_F(Inverse3, AServiceThatPassesOverOneSpellingIsSpokenToInTheOther) {
   EXPECT_GT(plane.absent, 0);  // the servo restarted, with its ramp
 }
 
+TEST_F(Inverse3, AServiceThatNeverReportsAForceIsSpokenToInTheOtherSpellingOnlyOnce) {
+  service->reports_no_other_than_zero = true;
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  ASSERT_TRUE(comes_true([&] { return service->spelling_changes == 1; }));
+  // A second doubt would have ended after a fifth of a second: two hundred messages.
+  const int then = service->messages;
+  ASSERT_TRUE(comes_true([&] { return service->messages > then + 1000; }));
+  EXPECT_EQ(service->spelling_changes, 1);
+}
+
 TEST_F(Inverse3, BeforePresetsTheTabletLiesInTheMiddleOfTheReachAllTheSame) {
   service->knows_presets = service->takes_vector = false;
   for (const char* version : {"3.4.9", static_cast<const char*>(nullptr)}) {
@@ -325,6 +337,19 @@ TEST_F(Inverse3, GarbageAndHugeMessagesGiveNoForceAndDoNotEndTheProgram) {
     service->answer = InverseService::Answer::state;
     EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
   }
+}
+
+TEST_F(Inverse3, TwentyMessagesThatCannotBeReadAreAnsweredAndTheNextEndsTheSession) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  service->garbles_inventory = true;
+  service->answer = InverseService::Answer::garbage;
+  service->hang_up = true;
+  // A session may end earlier where the machine pauses; then the next one counts.
+  EXPECT_TRUE(comes_true([&] { return service->most_after_garbled == 20; }))
+      << service->most_after_garbled << " answers";
 }
 
 TEST_F(Inverse3, AServiceThatFallsSilentOrSlowGivesNoForceAndSaysSo) {

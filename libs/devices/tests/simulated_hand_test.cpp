@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -69,6 +70,26 @@ TEST(SimulatedHand, IsHeldByTheStrokeThatItIsAtWhereItsSceneSnaps) {
   SimulatedHand hand(tablet->paths(), scenes_of(*tablet, true), kTouch);
   ASSERT_TRUE(hand.run(HandClock::none, {}));
   for (const FollowedStroke& stroke : hand.report().strokes) EXPECT_GT(stroke.snapped_share, 0.9);
+}
+
+TEST(SimulatedHand, PullsHarderWhereFrictionHoldsTheTipBack) {
+  struct Reached final : HandObserver {
+    void see(const haptics::ServoSample& sample) noexcept override {
+      if (sample.touching) right_m = std::max(right_m, sample.proxy_m.x);
+    }
+    double right_m = -1;
+  };
+  const auto tablet = across_and_dot();
+  haptics::Material rough;
+  rough.static_friction = rough.dynamic_friction = 0.8;
+  const auto scene = tablet->scene(rough, {});
+  const std::vector across{tablet->paths()[0]};
+  Reached reached;
+  SimulatedHand hand(across, {scene, scene}, kTouch, &reached);
+  ASSERT_TRUE(hand.run(HandClock::none, {}));
+  // The hand presses with 0.7 N and draws with 120 N/m: held back by eight tenths of the first, the tip would
+  // stop almost 5 mm before the end.
+  EXPECT_NEAR(reached.right_m, across[0].points.back().x, 0.0015);
 }
 
 TEST(SimulatedHand, ShowsEveryTickToItsObserverAndDoesTheSameAgain) {

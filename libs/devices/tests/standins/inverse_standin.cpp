@@ -3,6 +3,7 @@
 
 #include <poll.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
@@ -81,13 +82,16 @@ struct InverseService::Inside {
     const int number = ++stage.sessions;
     stream.text(true);
     bool centred = false;
-    say(stream, state(number, true, centred));
+    const bool is_garbled = stage.garbles_inventory;
+    int heard = 0;
+    say(stream, is_garbled ? "{\"inverse3\": [}}\x01" : state(number, true, centred));
     for (bool first = true; readable(stream.next_layer().native_handle()); first = false) {
       beast::flat_buffer message;
       stream.read(message, failed);
       if (failed) break;
       take(beast::buffers_to_string(message.data()), first, centred);
       ++stage.messages;
+      if (is_garbled) stage.most_after_garbled = std::max(stage.most_after_garbled.load(), ++heard);
       if (stage.delay_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(stage.delay_ms));
       switch (stage.answer) {
         case Answer::state:
@@ -133,7 +137,9 @@ struct InverseService::Inside {
                {"cursor_velocity", vector(0, 0, 0)},
                {"control_mode", "force"}};
       if (stage.reports_force)
-        now["current_cursor_force"] = vector(stage.force_x_n, stage.force_y_n, stage.force_z_n);
+        now["current_cursor_force"] = stage.reports_no_other_than_zero
+                                          ? vector(0, 0, 0)
+                                          : vector(stage.force_x_n, stage.force_y_n, stage.force_z_n);
       Json arm{{"device_id", "049D"},
                {"state", now},
                {"status", {{"calibrated", stage.calibrated.load()}, {"ready", stage.ready.load()}}}};
@@ -166,6 +172,9 @@ struct InverseService::Inside {
       ++stage.malformed;
       return;
     }
+    const int spelling = command.contains("vector") ? 1 : 2;
+    const int before = last_spelling.exchange(spelling);
+    if (before != 0 && before != spelling) ++stage.spelling_changes;
     if (!command.contains(key)) return push(0, 0, 0);  // silently ignored
     push(command[key].value("x", 0.0), command[key].value("y", 0.0), command[key].value("z", 0.0));
     stage.last_command_n = std::hypot(stage.force_x_n, stage.force_y_n, stage.force_z_n);
@@ -176,6 +185,7 @@ struct InverseService::Inside {
   tcp::acceptor acceptor;
   std::uint16_t address = 0;
   std::atomic<bool> ends{false};
+  std::atomic<int> last_spelling{0};
   std::thread thread;
 };
 

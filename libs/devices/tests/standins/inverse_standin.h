@@ -32,18 +32,22 @@ class InverseService {
   std::atomic<bool> plugged{true}, calibrated{true}, ready{true}, button_a{false}, button_b{false};
   std::atomic<bool> takes_vector{true};  ///< else "values"; the other spelling is ignored
   std::atomic<bool> reports_force{true};
-  std::atomic<const char*> version{"v3.5.1"};  ///< null: /version is not there
-  std::atomic<bool> knows_presets{true};       ///< from 3.5 on; before, a preset is ignored
+  std::atomic<bool> reports_no_other_than_zero{false};  ///< whatever the force is
+  std::atomic<const char*> version{"v3.5.1"};           ///< null: /version is not there
+  std::atomic<bool> knows_presets{true};                ///< from 3.5 on; before, a preset is ignored
   std::atomic<const char*> type{"inverse3"};
   std::atomic<bool> left_handed{false};
   std::atomic<int> states_for_a_message{1};
   std::atomic<Answer> answer{Answer::state};
   std::atomic<int> delay_ms{0};
-  std::atomic<bool> hang_up{false};  ///< ends the connection once
+  std::atomic<bool> garbles_inventory{false};  ///< of the next sessions
+  std::atomic<bool> hang_up{false};            ///< ends the connection once
   // The service writes.
   std::atomic<double> force_x_n{0}, force_y_n{0}, force_z_n{0};
   std::atomic<double> last_command_n{-1};  ///< size of the last commanded force, of any session
   std::atomic<int> sessions{0}, malformed{0}, messages{0};
+  std::atomic<int> spelling_changes{0};    ///< from "vector" to "values" or back
+  std::atomic<int> most_after_garbled{0};  ///< messages in a session whose inventory was garbled
 
  private:
   struct Inside;
