@@ -79,6 +79,16 @@ TEST(DecisionTrees, ThatAreNoneAnswerNothing) {
   EXPECT_EQ(DecisionTrees::read({}, kFeatures)->count(), 0U);
 }
 
+TEST(DecisionTrees, AreAsManyAsTwoBytesCountAndNoMore) {
+  Bytes bytes;
+  for (int tree = 0; tree < 65'535; ++tree) put_node(bytes, kAnswer, 0, 1);
+  const auto most = DecisionTrees::read(bytes, kFeatures);
+  ASSERT_TRUE(most);
+  EXPECT_EQ(most->count(), 65'535U);
+  put_node(bytes, kAnswer, 0, 1);
+  EXPECT_FALSE(DecisionTrees::read(bytes, kFeatures));
+}
+
 TEST(DecisionTrees, CutOffAnywhereAreNotRead) {
   const auto whole = one_split() + split_on_the_left();
   for (std::size_t size = 1; size < whole.size(); ++size) {

@@ -12,8 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "drawing.h"
+#include "handwritten_forms.h"
 #include "ink_match.h"
 #include "ink_moments.h"
+#include "known_characters.h"
+#include "nazori/geometry/svg_path.h"
 #include "quick_strokes.h"
 #include "steady_line.h"
 #include "stroke_picture.h"
@@ -437,6 +441,53 @@ TEST(InkDistance, InkOfAnotherSlantIsFartherThanThatOfTheSame) {
     half.sine[k] = 1;
   }
   EXPECT_NEAR(ink_distance(half, level).drawn, (1e-3 + 0.15) / 0.16, 0.01);
+}
+
+/// A form as a hand would draw it, in many points.
+Flats drawn(const HandwrittenForm& form) {
+  Flats strokes(1);
+  for (const char c : form.strokes)
+    if (c == '|') strokes.emplace_back();
+  std::string_view rest = form.strokes;
+  for (Flat& stroke : strokes) {
+    const auto path = geometry::parse_svg_path(std::string(rest.substr(0, rest.find('|'))));
+    EXPECT_TRUE(path);
+    rest.remove_prefix(std::min(rest.size(), rest.find('|') + 1));
+    geometry::GlyphPoint from = path->start;
+    for (const auto& piece : path->pieces) {
+      for (int k = 0; k <= 16; ++k) {
+        const double t = k / 16.0, s = 1 - t;
+        const auto at = from * (s * s * s) + piece[0] * (3 * s * s * t) + piece[1] * (3 * s * t * t) +
+                        piece[2] * (t * t * t);
+        stroke.insert(stroke.end(), {static_cast<float>(at.x), static_cast<float>(at.y)});
+      }
+      from = piece[2];
+    }
+  }
+  return strokes;
+}
+
+TEST(KnownCharacters, AreKnownInEachFormOfAHandToo) {
+  // Unlike any letter; the forms of a hand are all that could be near.
+  const std::vector<kanji::Character> letters{test::character(U'f', {"㇑|M50,10L50,100"}),
+                                              test::character(U'g', {"㇑|M50,10L50,100"})};
+  const auto known = KnownCharacters::load(letters);
+  ASSERT_TRUE(known);
+  ASSERT_EQ(known->characters().size(), 2U);
+  int forms = 0;
+  for (const HandwrittenForm& form : handwritten_forms()) {
+    const std::size_t index = known->characters()[0].code_point == form.character ? 0 : 1;
+    if (known->characters()[index].code_point != form.character) continue;
+    ++forms;
+    const Flats strokes = drawn(form);
+    const InkDistance near = known->ink_distance(ink_points(lines(strokes)), index);
+    const InkDistance far = known->ink_distance(ink_points(lines(strokes)), 1 - index);
+    // Kept in fewer points than here, the curves differ a little.
+    EXPECT_LT(near.drawn + near.model, 0.12) << form.strokes;
+    EXPECT_GT(far.drawn + far.model, 0.3) << form.strokes;
+  }
+  EXPECT_GE(forms, 4);
+  EXPECT_EQ(known->forms().size(), 2U + static_cast<std::size_t>(forms));
 }
 
 }  // namespace

@@ -259,10 +259,14 @@ TEST(Lookalikes, AreMutualAndAscend) {
 }
 
 /// Three bars, the middle one of this length.
-Model bars(char32_t code_point, double middle) {
-  const std::string left = std::to_string(55 - middle / 2), right = std::to_string(55 + middle / 2);
-  return model_of(character(code_point, {"㇐|M20,10L90,10", "㇐|M" + left + ",50L" + right + ",50",
-                                         "㇐|M10,90L100,90", "㇑|M55,5L55,105"}));
+Model bars(char32_t code_point, double middle, double size = 1) {
+  const auto line = [size](double x0, double y0, double x1, double y1) {
+    return "M" + std::to_string(size * x0) + "," + std::to_string(size * y0) + "L" +
+           std::to_string(size * x1) + "," + std::to_string(size * y1);
+  };
+  return model_of(character(
+      code_point, {"㇐|" + line(20, 10, 90, 10), "㇐|" + line(55 - middle / 2, 50, 55 + middle / 2, 50),
+                   "㇐|" + line(10, 90, 100, 90), "㇑|" + line(55, 5, 55, 105)}));
 }
 std::vector<Shape> drawn_with(double middle) { return bars(U'一', middle).inside().main.shapes; }
 
@@ -275,6 +279,15 @@ TEST(LookalikeContrast, IsNoneOfAFormFromItselfAndGrowsWithTheSquare) {
   EXPECT_TRUE(std::isinf(distance_of_forms(model_of(soil()).inside().main, model_of(eye()).inside().main)));
   // Both ends 2 off, in units of 5: that much at least, less what the laying over takes.
   EXPECT_NEAR(distance(60, 64), 2 * 4 / 25.0, 0.12);
+}
+
+TEST(LookalikeContrast, IsMeasuredInTheUnitsOfTheSecondForm) {
+  const auto distance = [](double size_a, double size_b) {
+    return distance_of_forms(bars(U'一', 40, size_a).inside().main, bars(U'二', 46, size_b).inside().main);
+  };
+  const double equal = distance(1, 1);
+  EXPECT_NEAR(distance(0.5, 1), equal, 0.05 * equal) << "the first is laid over the second";
+  EXPECT_NEAR(distance(1, 0.5), equal / 4, 0.05 * equal) << "half as far apart, and it grows with the square";
 }
 
 TEST(LookalikeContrast, TheBorderLiesOnTheOthersSideOfTheMiddle) {

@@ -39,6 +39,15 @@ TEST(PenMotion, AFluentStrokeHasOnePeakAndStops) {
   EXPECT_NEAR(m[0].mean_speed, 100 / 0.6, 1e-6);
 }
 
+TEST(PenMotion, PeaksAreTheSameInAnyUnitOfLength) {
+  for (const double unit : {1e-3, 1.0, 1e3}) {
+    const auto m = pen_motion(
+        {{motion(2.0, [unit](double t) { return unit * (reach(t, 0.6, 1) + reach(t - 1.2, 0.6, 0.5)); })},
+         {}});
+    EXPECT_EQ(m[0].speed_peaks, 2) << unit;
+  }
+}
+
 TEST(PenMotion, EachNewStartIsAPeakAndEachRestAPause) {
   const auto m =
       pen_motion({{motion(2.0, [](double t) { return reach(t, 0.6, 100) + reach(t - 1.2, 0.6, 50); })}, {}});

@@ -376,6 +376,27 @@ TEST(Picture, InkLiesInTheCellsWhereItWasDrawn) {
   EXPECT_NEAR(left / ink_left, 4 - reach, 0.05);
 }
 
+TEST(Picture, AFlatCharacterIsStretchedNoMoreThanItsLimit) {
+  // A box of 100 x 30; the spreads are integrals along its sides.
+  const std::vector<float> box{0, 0, 100, 0, 100, 30, 0, 30, 0, 0};
+  const auto p = make_picture(std::vector<FlatLine>{box});
+  const double spread_x = std::sqrt((200 * (100.0 * 100 / 12) + 60 * (50.0 * 50)) / 260);
+  const double spread_y = std::sqrt((60 * (30.0 * 30 / 12) + 200 * (15.0 * 15)) / 260);
+  ASSERT_LT(spread_y, 0.6 * spread_x);
+  // 8 cells span 4.4 spreads, and the smaller spread counts as 0.6 of the larger one.
+  const double scale_x = 8 / (4.4 * spread_x);
+  const double scale_y = 8 / (4.4 * 0.6 * spread_x);
+  const double ink = 200 * scale_x + 60 * scale_y;
+  double mean = 0, level = 0;
+  for (std::size_t cell = 0; cell < 32; ++cell) {
+    const double share = std::pow(static_cast<double>(p[4 * cell]), 2);
+    level += share;
+    mean += share * (static_cast<double>(cell / 8) + 0.5);
+  }
+  EXPECT_NEAR(level, 100 * scale_x / ink, 2e-3) << "the upper side";
+  EXPECT_NEAR(mean / level, 4 - 15 * scale_y, 2e-3);
+}
+
 TEST(Picture, LongerLinesHaveMoreInk) {
   const std::vector<float> bar{0, 0, 60, 0}, post{30, 10, 30, 30};
   const auto s = slants(make_picture(std::vector<FlatLine>{bar, post}));
