@@ -131,7 +131,10 @@ TEST(Expression, FractionsAreComputedWithoutRounding) {
 TEST(Expression, WhatIsNoFractionOrTooLargeOneIsNone) {
   for (const char* text : {"x", "pi", "1/0", "0^(-1)", "2^(1/2)", "sin(0)", "1^65", "1^(-64)", "2^40",
                            "2^(-40)", "1000000*1000001", "999999999999*999999999999", "1000000000001",
-                           "0.0000000001", "1/1000000*1/1000001", "1/3 + x", "-x", "x*2"})
+                           "0.0000000001", "1/1000000*1/1000001", "1/3 + x", "-x", "x*2",
+                           // Only their denominators are beyond 64 bits.
+                           "(1/10000000000)^2", "(3/10000000000)^4", "1/10000000000 + 1/10000000001",
+                           "7/99999999999 - 1/99999999998"})
     EXPECT_FALSE(rational_value(read(text))) << text;
   EXPECT_FALSE(rational_value(number(std::nan(""))));
   EXPECT_FALSE(rational_value(number(std::numeric_limits<double>::infinity())));
