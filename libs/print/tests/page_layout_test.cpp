@@ -375,6 +375,25 @@ TEST(PageLayout, ACloseAtTheTopOfAColumnSharesTheCellBefore) {
   EXPECT_LT(last(twenty + "「").x, kanji.x - 10) << "what opens begins a column";
 }
 
+TEST(PageLayout, TheLinesOfTheHeaderAreShorterOnNarrowPaperAndNotLongerOnWide) {
+  // Between the margins A4 has 186 mm, B5 158 and hanshi 219.
+  for (const auto& [paper, scale] :
+       {std::pair{Paper::a4, 1.0}, {Paper::b5, 158 / 186.0}, {Paper::hanshi, 1.0}}) {
+    SheetSettings settings = bare();
+    settings.paper = paper;
+    const Page page = pages_of(worksheet_pdf({with_strokes(U'一', 1)}, settings)).at(0);
+    std::vector<double> lengths;
+    static const std::regex one(R"(0\.4 G 0\.57 w \[\] 0 d (\S+) \S+ m (\S+) \S+ l S)");
+    for (auto at = std::sregex_iterator(page.content.begin(), page.content.end(), one);
+         at != std::sregex_iterator(); ++at)
+      lengths.push_back(mm((*at)[2]) - mm((*at)[1]));
+    ASSERT_THAT(lengths, SizeIs(3));
+    EXPECT_NEAR(lengths[0], 24 * scale - 2, 0.01);
+    EXPECT_NEAR(lengths[1], 20 * scale - 2, 0.01);
+    EXPECT_NEAR(lengths[2], 46 * scale - 2, 0.01);
+  }
+}
+
 TEST(PageLayout, AHeaderHasThreeLinesToFillInAndATitle) {
   SheetSettings settings = bare();
   settings.title = "Week 3";

@@ -119,11 +119,8 @@ TEST(SheetMark, OtherBytesAreRefused) {
   EXPECT_FALSE(read_mark(std::vector<std::uint8_t>(21)));
 }
 
-/// A mark with other bits at its beginning, whose checksum and parity are right.
-std::vector<std::uint8_t> changed(const std::vector<std::uint8_t>& bytes, std::size_t at, std::uint8_t bits) {
-  constexpr std::size_t kParity = 2 * 5;  // of 35 bytes
-  std::vector<std::uint8_t> all(bytes.begin(), bytes.end() - kParity - 2);
-  all[at] = static_cast<std::uint8_t>(all[at] ^ bits);
+/// Content with its checksum and so many bytes of parity.
+std::vector<std::uint8_t> sealed(std::vector<std::uint8_t> all, std::size_t parity) {
   // CRC-16 with 0x1021 from 0xFFFF, one bit at a time.
   unsigned sum = 0xFFFF;
   for (std::size_t i = 0; i < all.size() * 8; ++i) {
@@ -133,8 +130,29 @@ std::vector<std::uint8_t> changed(const std::vector<std::uint8_t>& bytes, std::s
   }
   all.push_back(static_cast<std::uint8_t>(sum >> 8U));
   all.push_back(static_cast<std::uint8_t>(sum));
-  append_parity(all, kParity);
+  append_parity(all, parity);
   return all;
+}
+
+constexpr std::size_t kParity = 2 * 5;  // of 35 bytes
+
+/// A mark with other bits at its beginning, whose checksum and parity are right.
+std::vector<std::uint8_t> changed(const std::vector<std::uint8_t>& bytes, std::size_t at, std::uint8_t bits) {
+  std::vector<std::uint8_t> content(bytes.begin(), bytes.end() - kParity - 2);
+  content[at] = static_cast<std::uint8_t>(content[at] ^ bits);
+  return sealed(std::move(content), kParity);
+}
+
+TEST(SheetMark, OfASizeThatNoMarkHasIsRefused) {
+  const auto bytes = *mark_bytes(practice_mark(), kMostMarkBytes);
+  std::vector<std::uint8_t> content(bytes.begin(), bytes.end() - kParity - 2);
+  ASSERT_EQ(sealed(content, kParity), bytes);
+  // The parity is twice the seventh part of all bytes, rounded up.
+  EXPECT_FALSE(read_mark(sealed(content, 12))) << "37 bytes";
+  content.resize(98);
+  EXPECT_TRUE(read_mark(sealed(content, 40))) << "140 bytes";
+  content.resize(101);
+  EXPECT_FALSE(read_mark(sealed(content, 42))) << "145 bytes";
 }
 
 TEST(SheetMark, AnotherVersionIsNamed) {
@@ -180,6 +198,18 @@ TEST(SheetMark, BoxesLieWhereCellsArePrinted) {
   EXPECT_EQ(boxes[1].character, U'日');
   EXPECT_NEAR(boxes[1].corner.x, 116.5 - 12.34, 1e-9);
   EXPECT_NEAR(boxes[1].corner.y, 21 + 2 * 12.34, 1e-9);
+}
+
+TEST(SheetMark, TheStripLiesBesideTheMiddleOfTheLowerLeftDisc) {
+  for (const auto& [width, height] : page_sizes()) {
+    const PaperPoint disc = disc_centres(width, height)[3];
+    const PaperPoint first = module_centre(height, 0, 0), last = module_centre(height, 0, kMarkRows);
+    EXPECT_NEAR((first.y + last.y) / 2, disc.y, 1e-9);
+    EXPECT_NEAR(last.y - first.y, 5 * 0.8, 1e-9);
+    EXPECT_NEAR(module_centre(height, 3, 0).x - first.x, 3 * 0.8, 1e-9);
+    // Upper left corners of the first cells lie above it.
+    EXPECT_GT(first.y - 0.4, height - 12 - 4 - 6) << "the cells end there";
+  }
 }
 
 TEST(SheetMark, TheStripEndsBeforeTheOtherDisc) {
