@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/study/backups.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "../src/daily_backup.h"
 #include "learner_fixture.h"
 
 namespace {
@@ -292,6 +294,32 @@ TEST(Backups, ACopyThatCannotBePutInPlaceOrOnDiskLeavesNothing) {
   std::ifstream bytes(folder / "copy.db", std::ios::binary);
   bytes.seekg(18);
   EXPECT_EQ(bytes.get(), 1) << "bytes 18 and 19 of an SQLite file: 2 where it has a write-ahead log";
+}
+
+TEST(Backups, ADatabaseThatIsBeingWrittenIsNotCopied) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "one.db";
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database.exec("CREATE TABLE word(text TEXT); INSERT INTO word VALUES('rest')");
+  const auto expect_refused = [&] {
+    const auto copied = copy_database(database, folder / "copy.db");
+    ASSERT_FALSE(copied);
+    EXPECT_EQ(copied.error().code, base::Errc::io);
+    EXPECT_THAT(copied.error().what, HasSubstr("it is in use"));
+    EXPECT_EQ(copied.error().where, (folder / "copy.db").string());
+    EXPECT_THAT(names_in(folder / ""), testing::Not(Contains(HasSubstr("copy.db"))));
+  };
+  {
+    SQLite::Database other(file.string(), SQLite::OPEN_READWRITE);
+    other.exec("BEGIN EXCLUSIVE");
+    expect_refused();
+  }
+  database.exec("BEGIN; INSERT INTO word VALUES('day')");
+  expect_refused();
+  database.exec("COMMIT");
+  ASSERT_TRUE(copy_database(database, folder / "copy.db"));
+  SQLite::Database copy((folder / "copy.db").string());
+  EXPECT_EQ(copy.execAndGet("SELECT group_concat(text) FROM word").getString(), "rest,day");
 }
 
 TEST(Backups, WhatARestoreReplacedKeepsALogThatCouldNotBeTakenIn) {

@@ -10,6 +10,8 @@
 #include <map>
 #include <set>
 
+#include "../src/store_days.h"
+#include "../src/store_schema.h"
 #include "learner_fixture.h"
 #include "nazori/study/day_plan.h"
 #include "nazori/study/exchange.h"
@@ -90,6 +92,28 @@ TEST(CharacterDays, AnEasyWritingWhoseTimeIsNotKnownIsAWriting) {
   CharacterDays days;
   days.take(easy);
   EXPECT_THAT(days.days(), ElementsAre(on(1, DayOutcome::introduced, 0, 1, 1)));
+}
+
+/// The sums that the file keeps: day and writings of each study day.
+std::vector<std::pair<int, int>> kept_sums(SQLite::Database& db) {
+  std::vector<std::pair<int, int>> sums;
+  SQLite::Statement rows(db, "SELECT day, writings FROM study_day ORDER BY day");
+  while (rows.executeStep()) sums.emplace_back(rows.getColumn(0).getInt(), rows.getColumn(1).getInt());
+  return sums;
+}
+
+TEST(CharacterDays, ADayThatARowNoLongerHasIsAddedUpAgain) {
+  SQLite::Database db(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  migrate_store(db, 0, *parse_time("2026-01-01T09:00Z"));
+  put_character_days(db, U'木', std::vector{on(1, DayOutcome::introduced, 5, 2, 1)});
+  put_character_days(db, U'林',
+                     std::vector{on(1, DayOutcome::introduced, 5, 3, 1), on(4, std::nullopt, 5, 1, 0)});
+  EXPECT_THAT(kept_sums(db), ElementsAre(std::pair(1, 5), std::pair(4, 1)));
+  put_character_days(db, U'林',
+                     std::vector{on(2, DayOutcome::introduced, 5, 3, 1), on(4, std::nullopt, 5, 1, 0)});
+  EXPECT_THAT(kept_sums(db), ElementsAre(std::pair(1, 2), std::pair(2, 3), std::pair(4, 1)));
+  put_character_days(db, U'林', std::vector{on(2, DayOutcome::introduced, 5, 3, 1)});
+  EXPECT_THAT(kept_sums(db), ElementsAre(std::pair(1, 2), std::pair(2, 3))) << "a day that is gone";
 }
 
 /// The sums by their definition, from the whole log.
