@@ -300,8 +300,6 @@ base::Result<Characters> characters_to_check(Learner& learner, const LearningAns
   }
   auto all = members(learner, lists_of(goal));
   if (!all) return all;
-  // Small kana, voiced ones and those that hardly occur are known with the letters of the table.
-  if (is_kana(goal)) return sorted(learner, *std::move(all), NewOrder::grade);
   if (goal == LearningGoal::kanji_by_frequency) return sorted(learner, *std::move(all), NewOrder::frequency);
   if (goal == LearningGoal::kanji_by_jlpt) {
     Characters levels;

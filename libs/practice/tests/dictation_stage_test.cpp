@@ -279,6 +279,19 @@ TEST_F(DictationStageTest, TheWordIsKeptWhileTheLearnerLooksAtSomethingElse) {
   EXPECT_EQ(on_tablet().size(), 2U);
 }
 
+TEST_F(DictationStageTest, AWordThatWasStillComingIsAskedForAgain) {
+  enter(U'十', {"十人", "二十"});
+  const auto subject = dictation_.subject();
+  dictation_.next_word();
+  ASSERT_EQ(dictation_.state(), State::coming);
+  dictation_.leave();
+  dictation_.enter(subject);
+  wait();
+  EXPECT_EQ(dictation_.state(), State::writing);
+  EXPECT_EQ(dictation_.word()->word.text, "二十");
+  EXPECT_EQ(box(0).character, U'二');
+}
+
 TEST_F(DictationStageTest, TheSameCharacterShownAgainGoesOnAsWell) {
   enter(U'十', {"十人"});
   const auto subject = dictation_.subject();

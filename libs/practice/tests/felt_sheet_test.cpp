@@ -106,6 +106,27 @@ TEST_F(Sheet, ALeaningHolderIsPushedLess) {
   EXPECT_GT(force_n(), 0);
 }
 
+TEST_F(Sheet, ADryBrushIsHarderToDraw) {
+  const brush::ForceTable table(form());
+  const auto friction = [&](double wetness) {
+    return brush::soft_tip(table, 0, wetness, brush::Feel::strengthened).friction;
+  };
+  ASSERT_GT(friction(0), 1.1 * friction(1));
+  feel();
+  const auto drawn_n = [this](double wetness) {
+    hold(0, 0, 0.004);
+    sheet_.set_wetness(wetness);
+    hold(0, 0, -0.004);
+    hold(0.04, 0, -0.004);
+    return force_n();
+  };
+  const double wet_n = drawn_n(1);
+  const double dry_n = drawn_n(0);
+  EXPECT_GT(dry_n, 1.002 * wet_n);
+  EXPECT_NEAR(drawn_n(-1), dry_n, 1e-3) << "no drier than dry";
+  EXPECT_NEAR(drawn_n(7), wet_n, 1e-3);
+}
+
 TEST_F(Sheet, TheMovementOnThePaperIsThatOfAPen) {
   feel();
   hold(0.01, 0.02, 0.03);

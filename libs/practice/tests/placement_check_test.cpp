@@ -72,6 +72,49 @@ TEST(PlacementCheck, EndsAfterTwelveToFourteenQuestionsAndAsksNoneTwice) {
   }
 }
 
+/// Calls `look` after each answer of learners who know the first characters of a list with some luck.
+template <class Look>
+void answer_at_random(int count, int ability, Look&& look) {
+  for (unsigned learner = 0; learner < 30; ++learner) {
+    std::mt19937 random(learner);
+    PlacementCheck check(list_of(count));
+    while (const auto question = check.question()) {
+      const bool knows = static_cast<int>(*question - U'一') < ability;
+      const bool is_luck = random() % 10 == 0;
+      check.answer(knows != is_luck ? PlacementAnswer::written : PlacementAnswer::unknown, seconds(1));
+      look(check);
+    }
+  }
+}
+
+TEST(PlacementCheck, EndsFromTheTwelfthAnswerOnWhereHalfOfWhatIsProbableIsNarrow) {
+  const int count = 2'136;
+  const auto scale = [](int position) { return std::log1p(16.0 * position / count); };
+  int early = 0, late = 0;
+  for (const int ability : {20, 150, 700, 1'500})
+    answer_at_random(count, ability, [&](const PlacementCheck& check) {
+      const bool is_narrow = scale(check.quantile(0.75)) - scale(check.quantile(0.25)) < 0.15;
+      const bool ends = check.answered() == 14 || (check.answered() >= 12 && is_narrow);
+      EXPECT_EQ(check.is_over(), ends) << check.answered();
+      if (check.is_over()) ++(check.answered() < 14 ? early : late);
+    });
+  EXPECT_GT(early, 5);
+  EXPECT_GT(late, 5);
+}
+
+TEST(PlacementCheck, SaysNoneWhereItIsNotCertainThatAnyCanBeWritten) {
+  int doubtful = 0, certain = 0;
+  for (const int ability : {0, 1, 2, 4, 9})
+    answer_at_random(46, ability, [&](const PlacementCheck& check) {
+      if (check.ability() == 0) return;
+      const bool may_be_none = check.quantile(0.05) == 0;
+      EXPECT_EQ(check.rounded_ability() == 0, may_be_none) << check.ability();
+      ++(may_be_none ? doubtful : certain);
+    });
+  EXPECT_GT(doubtful, 5);
+  EXPECT_GT(certain, 5);
+}
+
 TEST(PlacementCheck, AfterTwoMinutesTheEighthQuestionIsTheLast) {
   PlacementCheck check(list_of(500));
   check.answer(PlacementAnswer::written, seconds(60));

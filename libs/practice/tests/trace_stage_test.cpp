@@ -31,6 +31,21 @@ TEST_F(TraceStageTest, SaysHowToBeginByWhatIsOnTheTablet) {
   EXPECT_EQ(events(), std::vector{StageEvent::touch_tablet});
 }
 
+TEST_F(TraceStageTest, TheStrokeThatIsShownIsReportedInBothDirectionsAndAllOfThem) {
+  enter();
+  trace_.show_next_stroke();
+  EXPECT_EQ(last().event, StageEvent::stroke_chosen);
+  EXPECT_EQ(last().stroke, 1);
+  EXPECT_EQ(last().count, 3);
+  trace_.show_next_stroke();
+  EXPECT_EQ(last().stroke, 2);
+  trace_.show_previous_stroke();
+  EXPECT_EQ(last().stroke, 1);
+  trace_.show_all_strokes();
+  EXPECT_EQ(events(), (std::vector{StageEvent::stroke_chosen, StageEvent::stroke_chosen,
+                                   StageEvent::stroke_chosen, StageEvent::draw_from_one}));
+}
+
 TEST_F(TraceStageTest, StrokesInOrderAreReportedOneByOneAndFinishTheStage) {
   enter();
   write(1);
