@@ -9,6 +9,7 @@ namespace nazori::haptics {
 namespace {
 
 using Place = TabletSurface::Place;
+using Patch = TabletSurface::Patch;
 
 constexpr double kStill_m = 1e-7;  // a lateral pull below this counts as none
 // Steps need not be shorter than what a stylus can resolve (its encoders: 0.055 mm on a Touch).
@@ -23,10 +24,19 @@ struct Walk {
   bool moved;
 };
 
+/// @tparam kKeeps  keeps the patch that was read last, which is often the same one.
+template <bool kKeeps>
+Place place_at(const TabletSurface& surface, Patch& patch, double x, double y) noexcept {
+  if constexpr (!kKeeps) return surface.at(x, y);
+  if (!patch.has(x, y)) patch = surface.patch_at(x, y);
+  return patch.at(x, y);
+}
+
 /// Walks downhill in distance to `d`, at most `steps` steps. Stops where the pull along the surface is within
 /// `friction` times the pull into it (0: at the minimum), and where the tangent plane of the surface is
 /// farther than `hopeless2` (squared), because no nearer point is to be expected there.
-Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction,
+template <bool kKeeps>
+Walk walk_towards(const TabletSurface& surface, Patch& patch, Place at, const Vec3& d, double friction,
                   int steps = kMostSteps, double hopeless2 = kAnyDistance) noexcept {
   const double far = std::max(std::abs(d.x - at.x), std::abs(d.y - at.y));
   double reach = std::max({surface.cell_m() / 2, kFinest_m, far / 8});
@@ -63,7 +73,7 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     double scale = part / divisor;
     if (part * part * square > most * most)
       scale = reach / static_cast<double>(std::sqrt(static_cast<float>(square)));
-    const Place trial = surface.at(at.x + scale * nx, at.y + scale * ny);
+    const Place trial = place_at<kKeeps>(surface, patch, at.x + scale * nx, at.y + scale * ny);
     const double tx = trial.x - d.x, ty = trial.y - d.y, tz = trial.z - d.z;
     const double trial2 = tx * tx + ty * ty + tz * tz;
     if (!(trial2 < squared)) {
@@ -130,11 +140,29 @@ void SurfaceContact::free_at(const Vec3& device_m) noexcept {
 
 void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
                             const Friction& friction) noexcept {
+  // Reading a patch takes longer than reading a place. It pays unless the stylus leaves the patch at once.
+  const bool stays =
+      std::max(std::abs(device_m.x - device_.x), std::abs(device_m.y - device_.y)) < surface.cell_m();
+  device_ = device_m;
+  if (stays)
+    update_with<true>(surface, device_m, friction);
+  else
+    update_with<false>(surface, device_m, friction);
+}
+
+template <bool kKeeps>
+void SurfaceContact::update_with(const TabletSurface& surface, const Vec3& device_m,
+                                 const Friction& friction) noexcept {
   if (!surface.exists() || device_m.z >= 0) {
     free_at(device_m);
     return;
   }
-  const Place above = surface.at(device_m.x, device_m.y);
+  const bool is_known = surface == surface_;
+  if (!is_known) {
+    surface_ = surface;
+    under_device_ = at_proxy_ = {};
+  }
+  const Place above = place_at<kKeeps>(surface, under_device_, device_m.x, device_m.y);
   const double depth = above.z - device_m.z;
   if (depth <= 0) {
     free_at(device_m);
@@ -142,14 +170,14 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
   }
   Place start = above;
   if (touching_) {
-    start = surface == surface_ ? place_ : surface.at(proxy_.x, proxy_.y);
+    start = is_known ? place_ : surface.at(proxy_.x, proxy_.y);
   } else if (known_) {
     start = crossing(surface, proxy_, device_m);
   }
   const double cone = sliding_ ? std::min(friction.slide, friction.hold) : friction.hold;
-  Walk walk = walk_towards(surface, start, device_m, cone);
+  Walk walk = walk_towards<kKeeps>(surface, at_proxy_, start, device_m, cone);
   if (walk.moved && friction.hold > friction.slide && !sliding_)  // it has started to slide
-    walk = walk_towards(surface, walk.place, device_m, friction.slide);
+    walk = walk_towards<kKeeps>(surface, at_proxy_, walk.place, device_m, friction.slide);
   sliding_ = walk.moved;
 
   const double near = depth * depth / (1 + above.zx * above.zx + above.zy * above.zy);  // to first order
@@ -157,13 +185,13 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
   const double limit = std::sqrt(near) + kRidge_m;
   if (here > limit * limit) {
     const double nearer = std::sqrt(here) - kRidge_m;
-    const Walk other = walk_towards(surface, above, device_m, 0, kMostStepsBeyond, nearer * nearer);
+    const Walk other =
+        walk_towards<kKeeps>(surface, at_proxy_, above, device_m, 0, kMostStepsBeyond, nearer * nearer);
     if (distance2(other.place, device_m) < nearer * nearer) {
       walk = other;
       sliding_ = true;
     }
   }
-  surface_ = surface;
   place_ = walk.place;
   proxy_ = walk.place.point();
   normal_ = walk.place.normal();

@@ -57,6 +57,38 @@ void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
   EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
+TEST(TabletSurface, APatchGivesThePlacesOfTheSurfaceWhereItHasThem) {
+  const Relief relief(24, 0.01, [](double x, double y) {
+    return -0.005 + 0.004 * std::sin(900 * x) * std::cos(700 * y + 300 * x);
+  });
+  const double reach = relief.tablet.cell_m() / 2;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> where(-0.06, 0.06), way(-1.5, 1.5);
+  int found = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double x = where(random), y = where(random);
+    const TabletSurface::Patch patch = relief.tablet.patch_at(x, y);
+    const bool is_beyond = std::max(std::abs(x), std::abs(y)) > 0.05 + reach;
+    EXPECT_EQ(patch.has(x, y), !is_beyond);
+    // One place in the same patch or beside it, and the place that was asked for.
+    for (const double far : {reach * way(random), 0.0}) {
+      const double px = x + far, py = y - far;
+      if (far != 0 && !patch.has(px, py)) continue;
+      const TabletSurface::Place p = patch.at(px, py), q = relief.tablet.at(px, py);
+      found += far != 0 ? 1 : 0;
+      EXPECT_EQ(p.point().x, px);
+      EXPECT_EQ(p.point().y, py);
+      EXPECT_NEAR(p.z, q.z, 1e-16);
+      EXPECT_NEAR(p.zx, q.zx, 1e-12);
+      EXPECT_NEAR(p.zy, q.zy, 1e-12);
+      EXPECT_NEAR(p.zxx, q.zxx, 1e-9);
+      EXPECT_NEAR(p.zxy, q.zxy, 1e-9);
+      EXPECT_NEAR(p.zyy, q.zyy, 1e-9);
+    }
+  }
+  EXPECT_GT(found, 1000);
+}
+
 /// Moves in a straight line in `steps` ticks.
 void lead(SurfaceContact& contact, const Relief& relief, const Vec3& from, const Vec3& to, int steps,
           const Friction& friction = {}) {
@@ -333,6 +365,21 @@ TEST(SurfaceContact, ADiveIntoWavesIsHeldByFrictionWhereItFirstMetOne) {
     expect_near(contact.proxy_m(), entry, 1e-6);
   }
   EXPECT_LT(grazing, 60);
+}
+
+TEST(SurfaceContact, AnotherSurfaceOfTheSameSizeIsFeltAtOnceAlsoWhileTouching) {
+  const Relief low(16, 0.01, [](double x, double) { return -0.006 + 0.1 * x; });
+  const Relief high(16, 0.01, [](double, double y) { return -0.004 - 0.1 * y; });
+  SurfaceContact contact;
+  for (int i = 0; i < 6; ++i) {
+    const Relief& relief = i % 2 == 0 ? low : high;
+    const Vec3 device{0.001, 0.002, i == 3 ? 0.01 : -0.008};
+    contact.update(relief.tablet, device, {});
+    EXPECT_EQ(contact.touching(), i != 3);
+    if (!contact.touching()) continue;
+    EXPECT_NEAR(above(relief, contact.proxy_m()), 0, 1e-15);
+    EXPECT_LT(lateral(relief, contact, device), kTolerance_m);
+  }
 }
 
 TEST(SurfaceContact, ASurfaceThatRisesUnderARestingStylusLiftsIt) {

@@ -150,6 +150,62 @@ TEST(SmoothSurface, OnItsBorderHalfASampleOutsideItIsAsJustWithin) {
   }
 }
 
+/// What a patch says of the point u, v from its sample.
+CurvedPoint point_of(const SurfacePatch& patch, double u, double v) {
+  const double us[] = {1, u, u * u}, du[] = {0, 1, 2 * u}, dduu[] = {0, 0, 2};
+  const double vs[] = {1, v, v * v}, dv[] = {0, 1, 2 * v}, ddvv[] = {0, 0, 2};
+  CurvedPoint p{};
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const double of = patch.of[a][b];
+      p.height += of * us[a] * vs[b];
+      p.d_column += of * du[a] * vs[b];
+      p.d_row += of * us[a] * dv[b];
+      p.d_column_column += of * dduu[a] * vs[b];
+      p.d_column_row += of * du[a] * dv[b];
+      p.d_row_row += of * us[a] * ddvv[b];
+    }
+  return p;
+}
+
+void expect_alike(const CurvedPoint& a, const CurvedPoint& b) {
+  EXPECT_NEAR(a.height, b.height, 1e-14);
+  EXPECT_NEAR(a.d_column, b.d_column, 1e-14);
+  EXPECT_NEAR(a.d_row, b.d_row, 1e-14);
+  EXPECT_NEAR(a.d_column_column, b.d_column_column, 1e-14);
+  EXPECT_NEAR(a.d_column_row, b.d_column_row, 1e-14);
+  EXPECT_NEAR(a.d_row_row, b.d_row_row, 1e-14);
+}
+
+TEST(SmoothSurface, APatchIsTheSurfaceInTheWholeSquareAroundItsSample) {
+  const auto surface = *SmoothSurface::create(noise(9, 6));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> where(-0.5, 8.5), within(-0.499, 0.499);
+  for (int i = 0; i < 1000; ++i) {
+    const double column = where(random), row = where(random);
+    const SurfacePatch patch = surface->patch_at(column, row);
+    EXPECT_FALSE(patch.is_outside);
+    EXPECT_EQ(patch.column, std::round(column));
+    EXPECT_EQ(patch.row, std::round(row));
+    const double u = within(random), v = within(random);
+    expect_alike(point_of(patch, u, v), surface->curved_at(patch.column + u, patch.row + v));
+  }
+}
+
+TEST(SmoothSurface, BeyondTheRimAPatchIsTheSurfaceAtItsPoint) {
+  const auto surface = *SmoothSurface::create(noise(9, 8));
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> where(-4, 13);
+  for (int i = 0; i < 1000; ++i) {
+    const double column = where(random), row = where(random);
+    const SurfacePatch patch = surface->patch_at(column, row);
+    const auto is_on = [](double at) { return at >= -0.5 && at <= 8.5; };
+    EXPECT_EQ(patch.is_outside, !is_on(column) || !is_on(row));
+    if (patch.is_outside)
+      expect_alike(point_of(patch, column - patch.column, row - patch.row), surface->curved_at(column, row));
+  }
+}
+
 TEST(SmoothSurface, StaysInsideItsMemoryForPlacesThatAreNotNumbers) {
   const auto surface = *SmoothSurface::create(noise(2, 1));
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -60,9 +60,14 @@ class SurfaceContact {
   [[nodiscard]] bool held() const noexcept { return touching_ && !sliding_; }
 
  private:
+  template <bool kKeeps>
+  void update_with(const TabletSurface& surface, const Vec3& device_m, const Friction& friction) noexcept;
+
   Vec3 proxy_{0, 0, 0};
+  Vec3 device_{0, 0, 0};  // at the last update
   Vec3 normal_{0, 0, 1};
-  TabletSurface surface_;       // that place_ was read from
+  TabletSurface surface_;  // that all that follows was read from
+  TabletSurface::Patch under_device_, at_proxy_;
   TabletSurface::Place place_;  // of the proxy, while touching
   bool known_ = false;          // while it does not touch: proxy_ is its previous position
   bool touching_ = false;

@@ -30,6 +30,36 @@ class TabletSurface {
     }
   };
 
+  /// A part of the surface that is one polynomial, so that points near each other are found without reading
+  /// samples again. Its points are those of at() but for the last bits.
+  class Patch {
+   public:
+    Patch() = default;
+    [[nodiscard]] bool has(double x, double y) const {
+      return std::abs(x - x_) <= reach_ && std::abs(y - y_) <= reach_;
+    }
+    [[nodiscard]] Place at(double x, double y) const {
+      const double u = x - x_, v = y - y_, u2 = 2 * u, v2 = 2 * v;
+      const double a = of_[0][0] + v * (of_[0][1] + v * of_[0][2]), av = of_[0][1] + v2 * of_[0][2];
+      const double b = of_[1][0] + v * (of_[1][1] + v * of_[1][2]), bv = of_[1][1] + v2 * of_[1][2];
+      const double c = of_[2][0] + v * (of_[2][1] + v * of_[2][2]), cv = of_[2][1] + v2 * of_[2][2];
+      return {x,
+              y,
+              a + u * (b + u * c),
+              b + u2 * c,
+              av + u * (bv + u * cv),
+              2 * c,
+              bv + u2 * cv,
+              2 * (of_[0][2] + u * (of_[1][2] + u * of_[2][2]))};
+    }
+
+   private:
+    friend class TabletSurface;
+    double x_ = 0, y_ = 0;  // its middle
+    double reach_ = -1;     // to each side; below 0: has() nothing
+    double of_[3][3] = {};
+  };
+
   TabletSurface() = default;
   TabletSurface(const surface::SmoothSurface& surface, const geometry::TabletShape& shape)
       : surface_(&surface),
@@ -64,6 +94,21 @@ class TabletSurface {
             p.d_column_column * bend,
             -p.d_column_row * bend,
             p.d_row_row * bend};
+  }
+  /// The patch in which a point lies. Beyond the edge of the map it holds only for that point.
+  [[nodiscard]] Patch patch_at(double x, double y) const {
+    const surface::SurfacePatch p = surface_->patch_at((x + half_m_) * per_m_, (half_m_ - y) * per_m_);
+    Patch patch;
+    patch.x_ = p.column * cell_m_ - half_m_;
+    patch.y_ = half_m_ - p.row * cell_m_;
+    if (!p.is_outside) patch.reach_ = cell_m_ / 2;
+    double along = depth_m_;
+    for (int a = 0; a < 3; ++a, along *= per_m_) {
+      double scale = along;
+      for (int b = 0; b < 3; ++b, scale *= -per_m_) patch.of_[a][b] = scale * p.of[a][b];
+    }
+    patch.of_[0][0] = (p.of[0][0] - 1) * depth_m_;
+    return patch;
   }
 
  private:

@@ -28,6 +28,16 @@ struct CurvedPoint {
   double d_row_row;        ///< change of d_row per sample downwards
 };
 
+/// The square around a sample, in which a surface is one polynomial: at u columns to the right of the sample
+/// and v rows below it the height is the sum of of[a][b] u^a v^b.
+struct SurfacePatch {
+  double column = 0, row = 0;  ///< of the sample
+  double of[3][3] = {};
+  /// The point that was asked for lies beyond the edge of the map. There the surface goes on level, and the
+  /// polynomial does not hold in the square around the sample.
+  bool is_outside = false;
+};
+
 /// A surface close to the samples of a height map, without steps in height or slope, that can be evaluated a
 /// million times a second: the uniform biquadratic B-spline whose control heights are the samples.
 ///
@@ -71,6 +81,19 @@ class SmoothSurface {
             down.value,  c.column_outside ? 0 : along.bend,
             down.slope,  c.row_outside ? 0 : bend.value};
   }
+  /// The square in which a point lies. @param column,row  as at().
+  [[nodiscard]] SurfacePatch patch_at(double column, double row) const noexcept {
+    const Cell c = cell(column, row);
+    const Powers left = powers_at(c.i, c.j), middle = powers_at(c.i + 1, c.j),
+                 right = powers_at(c.i + 2, c.j);
+    SurfacePatch patch{static_cast<double>(c.i), static_cast<double>(c.j), {}, false};
+    for (int b = 0; b < 3; ++b) {
+      const Powers along(left.of[b], middle.of[b], right.of[b]);
+      for (int a = 0; a < 3; ++a) patch.of[a][b] = along.of[a];
+    }
+    if (c.column_outside || c.row_outside) go_on_level(c, patch);
+    return patch;
+  }
   /// Identifies a surface, also among surfaces that had the same address.
   [[nodiscard]] std::uint64_t serial() const noexcept { return serial_; }
 
@@ -84,6 +107,16 @@ class SmoothSurface {
       slope = lean + u * bend;
     }
     double value, slope, bend;
+  };
+  /// The same spline as a polynomial of u.
+  struct Powers {
+    Powers(double before, double middle, double after) {
+      const double bend = before - 2 * middle + after;
+      of[0] = middle + 0.125 * bend;
+      of[1] = 0.5 * (after - before);
+      of[2] = 0.5 * bend;
+    }
+    double of[3];
   };
   struct Cell {
     std::size_t i, j;  // of the sample above and left of the middle one, in the map with its border
@@ -104,6 +137,27 @@ class SmoothSurface {
     const int i = i0 < size_ ? i0 : size_ - 1;
     const int j = j0 < size_ ? j0 : size_ - 1;
     return {static_cast<std::size_t>(i), static_cast<std::size_t>(j), x - i, y - j, x != column, y != row};
+  }
+
+  /// Of three samples of a column of the map with its border, of which (i, j) is the first.
+  [[nodiscard]] Powers powers_at(std::size_t i, std::size_t j) const noexcept {
+    const float* column = samples_.get() + column_at(i);
+    return {column[row_at(j)], column[row_at(j + 1)], column[row_at(j + 2)]};
+  }
+  static void go_on_level(const Cell& c, SurfacePatch& patch) noexcept {
+    patch.is_outside = true;
+    for (int k = 0; k < 3; ++k) {
+      if (c.column_outside) {
+        patch.of[0][k] += c.u * (patch.of[1][k] + c.u * patch.of[2][k]);
+        patch.of[1][k] = patch.of[2][k] = 0;
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      if (c.row_outside) {
+        patch.of[k][0] += c.v * (patch.of[k][1] + c.v * patch.of[k][2]);
+        patch.of[k][1] = patch.of[k][2] = 0;
+      }
+    }
   }
 
   // The samples are stored in squares of 4 x 4, one cache line each, so that neighbours on the tablet are
