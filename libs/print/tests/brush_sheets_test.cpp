@@ -179,7 +179,8 @@ TEST(BrushSheets, TheLabelOfTheNameStandsInTheMiddleOfItsColumnAtTheTop) {
   settings.name_line = true;
   settings.language = Language::japanese;
   std::vector<Box> letters;
-  for (const PageMark& mark : pages({level(U'一')}, settings)[0].marks)
+  const auto sheet = pages({level(U'一')}, settings);
+  for (const PageMark& mark : sheet[0].marks)
     if (const Box box = box_of(mark); mark.filled && box.bottom < 100) letters.push_back(box);
   ASSERT_EQ(letters.size(), 2U) << "名前";
   // Each fills most of its square of 4 mm; the first square begins 2 mm below the frame.
