@@ -2,6 +2,7 @@
 #include "standing_out.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -18,7 +19,10 @@ constexpr double kStrange = 8;
 constexpr double kReach = 24;
 /// Weight of "the neighbours are where they belong" beside what they do.
 constexpr double kDoubt = 0.6;
-constexpr double kDot = 12;  // glyph units: dots are written in all lengths and slants
+constexpr double kDot = 12;    // glyph units: dots are written in all lengths and slants
+constexpr double kShort = 22;  // glyph units: below, limits are wider
+/// Natural logarithm of how much too short a stroke is that cannot be meant.
+constexpr double kNotTheStroke = 0.95;
 
 bool is_single(const Link& link) { return link.drawn_count == 1 && link.model_count == 1; }
 
@@ -51,10 +55,8 @@ struct Excess {
 };
 
 Excess excess(const StandingOut& s, double model_length, double tolerance) {
-  constexpr double kShort = 22;  // glyph units: below, limits are wider
   constexpr double kLonger = 0.52;
   constexpr double kShorter = 0.8;
-  constexpr double kNotTheStroke = 0.95;
   constexpr double kTurn = 0.55;
   constexpr double kAway = 16;
   if (model_length < kDot) return {};
@@ -249,10 +251,33 @@ std::optional<Conspicuous> Search::next() {
   return worst;
 }
 
+/// Of two strokes the one that is far too short beside the other. Laying over hides it: it makes the whole
+/// wider, or higher, until both are nearly right.
+std::optional<Conspicuous> shorter_of_two(const StrokeComparer& strokes, std::span<const Link> links,
+                                          double tolerance) {
+  if (links.size() != 2 || !is_single(links[0]) || !is_single(links[1])) return {};
+  std::array<double, 2> length_log{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto drawn =
+        static_cast<double>(strokes.drawn()[static_cast<std::size_t>(links[k].drawn)].whole.length);
+    const auto model =
+        static_cast<double>(strokes.model()[static_cast<std::size_t>(links[k].model)].whole.length);
+    if (model < kShort || drawn <= 0) return {};
+    length_log[k] = std::log(drawn / model);
+  }
+  const double shorter = std::abs(length_log[0] - length_log[1]);
+  if (shorter <= kNotTheStroke * tolerance) return {};
+  StandingOut by;
+  by.length_log = by.whole_length_log = static_cast<float>(-shorter);
+  return Conspicuous{length_log[0] < length_log[1] ? std::size_t{0} : std::size_t{1}, Deviation::length,
+                     false, by};
+}
+
 }  // namespace
 
 std::vector<Conspicuous> conspicuous_strokes(StrokeComparer& strokes, std::span<const Link> links,
                                              const Affine& map, double tolerance) {
+  if (const auto shorter = shorter_of_two(strokes, links, tolerance)) return {*shorter};
   std::vector<Conspicuous> found;
   Search search(strokes, links, map, tolerance);
   // Where more than a few strokes differ, the hand is hasty and no single stroke is at fault.

@@ -14,7 +14,7 @@ namespace {
 // clang-format off
 // Few strokes, and this one determines the proportions of the whole: it looks the same as flat writing.
 constexpr Spoilt kProportions[] = {
-    {U'T', 2}, {U'i', 1}, {U'了', 2},
+    {U'i', 1},
 };
 // A comma is so small that its tail shows no direction.
 constexpr Spoilt kSpecks[] = {{U',', 1}, {U';', 2}};

@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "drawing.h"
 #include "nazori/writing/explanation.h"
@@ -167,6 +170,23 @@ TEST(StandingOut, IsNotToldWhileTheCharacterIsBeingWritten) {
   const auto g = grade(ink, model_of(rest()), {.unfinished = true});
   ASSERT_TRUE(g);
   EXPECT_EQ(told(*g), Told{}) << "only the whole shows how long a stroke should be";
+}
+
+TEST(StandingOut, OfTwoStrokesOneThatIsAThirdAsLongIsRefused) {
+  // Laying over would stretch the whole until both strokes are nearly right.
+  const auto cliff = character(U'厂', {"|M25,22L94,22", "|M28,22C28,60 24,80 12,96"});
+  const auto model = model_of(cliff);
+  for (const std::size_t k : {0U, 1U}) {
+    auto ink = trace(cliff);
+    ink.strokes[k] = shortened(ink.strokes[k], 1.0 / 3);
+    const auto g = graded(ink, model);
+    ASSERT_EQ(mistake_names(g), std::vector<std::string>{"wrong@" + std::to_string(k)});
+    EXPECT_EQ(g.mistakes.front().deviation, Deviation::length);
+    EXPECT_EQ(explain(g, Language::english).front(), "Stroke " + std::to_string(k + 1) + " is too short.");
+    ink = trace(cliff);
+    ink.strokes[k] = shortened(ink.strokes[k], 0.6);
+    EXPECT_TRUE(graded(ink, model).accepted) << "proportions are free within limits";
+  }
 }
 
 TEST(StandingOut, LiveJudgingTellsItAtTheEnd) {
