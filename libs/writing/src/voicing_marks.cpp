@@ -79,8 +79,7 @@ class DrawnMark {
       weight += w;
     }
     const double beside_others = weight > 0 ? sum / weight : 0;
-    return 2 * beside_others + squared_distance(centre_, there) +
-           (in_box_ ? squared_distance(*in_box_, there) : 0);
+    return 2 * beside_others + squared_distance(in_box_ ? *in_box_ : centre_, there);
   }
 
  private:
