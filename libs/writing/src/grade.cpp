@@ -229,6 +229,8 @@ class Judge {
       const auto& link = alignment_.links[c.link];
       auto& verdict = grade_.strokes[static_cast<std::size_t>(link.drawn)];
       if (!verdict.ok) continue;
+      // Beside one strange stroke nothing tells how long the other one should be.
+      if (!c.is_the_stroke && alignment_.links.size() == 2 && !grade_.mistakes.empty()) continue;
       // The figures beside the sentence are those it is about.
       verdict.size = std::exp(static_cast<double>(c.by.length_log));
       verdict.offset_x = static_cast<double>(c.by.offset_x) / geometry::kGlyphSide;

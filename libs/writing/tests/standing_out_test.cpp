@@ -189,6 +189,13 @@ TEST(StandingOut, OfTwoStrokesOneThatIsAThirdAsLongIsRefused) {
   }
 }
 
+TEST(StandingOut, BesideAStrangeStrokeTheOtherOfTwoIsNotBlamed) {
+  const auto cliff = character(U'厂', {"|M25,22L94,22", "|M28,22C28,60 24,80 12,96"});
+  auto ink = trace(cliff);
+  ink.strokes[1] = along({{10, 40}, {100, 40}, {10, 60}, {100, 60}, {10, 80}, {100, 80}});
+  EXPECT_EQ(mistake_names(graded(ink, model_of(cliff))), std::vector<std::string>{"wrong@1"});
+}
+
 TEST(StandingOut, LiveJudgingTellsItAtTheEnd) {
   auto ink = trace(rest());
   ink.strokes[2] = spoiled(ink.strokes[2], 1.75);
