@@ -101,7 +101,7 @@ class Judge {
  private:
   void judge_strokes() {
     const auto strokes = judged_strokes(alignment_, drawn_, form_);
-    const auto features = stroke_features(strokes, form_.shapes.size());
+    const auto features = stroke_features(strokes, form_.shapes.size(), alignment_.map);
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
       const auto& link = alignment_.links[k];
       const auto& judged = strokes[k].judgement;

@@ -100,11 +100,11 @@ bool ignore_slant(const Samples& model, Residue& residue, StrokeDifference& diff
 
 JudgedStroke judge_stroke(const Shape& laid, const Shape& model, std::span<const Shape> other_ways,
                           const StrokeDifference& difference, const Placement& placement) {
-  constexpr double kUsedFreedom = 0.5;
+  constexpr double kUsedFreedom = 0.35;
   const auto drawn = difference.reversed ? backwards(laid.whole) : laid.whole;
   const auto beside = [&](const Shape& way, const StrokeDifference& d, const Placement& p) {
-    JudgedStroke j{{},    d,        p, residue(laid, way, d, p), course(laid.whole, way.whole, d.reversed),
-                   drawn, way.whole};
+    JudgedStroke j{{},    d,         p, residue(laid, way, d, p), course(laid.whole, way.whole, d.reversed),
+                   drawn, way.whole, {}};
     j.judgement = judge(j.difference, j.placement, j.residue, j.course, way.touch);
     return j;
   };
@@ -145,6 +145,8 @@ std::vector<JudgedStroke> judged_strokes(const Alignment& alignment, std::span<c
     const auto laid = transformed(drawn[static_cast<std::size_t>(link.drawn)], alignment.map);
     result.push_back(
         judge_stroke(laid, form.shapes[model], form.other_ways[model], link.difference, places[k]));
+    const auto& as_drawn = drawn[static_cast<std::size_t>(link.drawn)].whole;
+    result.back().as_drawn = link.difference.reversed ? backwards(as_drawn) : as_drawn;
   }
   return result;
 }

@@ -42,6 +42,7 @@ struct JudgedStroke {
   Course course;
   Samples drawn;  ///< laid over the model, in its direction; without a slant that is free
   Samples model;
+  Samples as_drawn;         ///< not laid over the model, in the model's direction
   double used_freedom = 0;  ///< share of the limit that a slant costs although it is free
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "decision_trees.h"
 #include "probability.h"
@@ -146,9 +147,148 @@ void put_points(Row& row, const JudgedStroke& s) {
   }
 }
 
+/// The point of another stroke of the model that is nearest to one end of this stroke's model.
+struct NearestPoint {
+  const JudgedStroke* stroke = nullptr;
+  std::size_t sample = 0;
+  float distance = 100;  // glyph units; of a stroke that has no others
+};
+
+NearestPoint nearest_point(std::span<const JudgedStroke> all, std::size_t own, std::size_t end) {
+  const auto& line = all[own].model;
+  NearestPoint nearest;
+  for (std::size_t other = 0; other < all.size(); ++other) {
+    if (other == own) continue;
+    const auto& m = all[other].model;
+    // No point of a line is farther from its centre than half its length.
+    if (std::hypot(m.centre_x - line.x[end], m.centre_y - line.y[end]) - m.length / 2 > nearest.distance)
+      continue;
+    float least = nearest.distance * nearest.distance;
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      const float dx = m.x[k] - line.x[end];
+      const float dy = m.y[k] - line.y[end];
+      const float squared = dx * dx + dy * dy;
+      if (squared >= least) continue;
+      least = squared;
+      nearest = {&all[other], k, std::sqrt(squared)};
+    }
+  }
+  return nearest;
+}
+
+/// How the ends lie beside the strokes that they touch, or come nearest to, in the model.
+void put_ends(Row& row, std::span<const JudgedStroke> all, std::size_t own) {
+  constexpr std::array<std::size_t, 2> kEnds{0, kSamples - 1};
+  const auto& s = all[own];
+  std::array<float, 2> off{};
+  std::array<float, 2> distance{};
+  for (std::size_t e = 0; e < kEnds.size(); ++e) {
+    const std::size_t k = kEnds[e];
+    const auto nearest = nearest_point(all, own, k);
+    float x = s.drawn.x[k] - s.model.x[k];
+    float y = s.drawn.y[k] - s.model.y[k];
+    if (nearest.stroke != nullptr) {
+      x -= nearest.stroke->drawn.x[nearest.sample] - nearest.stroke->model.x[nearest.sample];
+      y -= nearest.stroke->drawn.y[nearest.sample] - nearest.stroke->model.y[nearest.sample];
+    }
+    off[e] = std::hypot(x, y);
+    distance[e] = nearest.distance;
+  }
+  for (const float v : {off[0], off[1], std::min(off[0], off[1]), distance[0], distance[1]}) row.put(v);
+}
+
+/// The turn from the model's line between both ends to the drawn one, clockwise.
+float signed_turn(const JudgedStroke& s) {
+  constexpr std::size_t kLast = kSamples - 1;
+  const float dx = s.drawn.x[kLast] - s.drawn.x[0];
+  const float dy = s.drawn.y[kLast] - s.drawn.y[0];
+  const float mx = s.model.x[kLast] - s.model.x[0];
+  const float my = s.model.y[kLast] - s.model.y[0];
+  return std::atan2(mx * dy - my * dx, mx * dx + my * dy);
+}
+
+/// How the strokes are turned that go in the same direction, or lie near: a hand turns them alike.
+void put_turns(Row& row, std::span<const JudgedStroke> all, std::size_t own) {
+  constexpr std::size_t kLast = kSamples - 1;
+  constexpr float kDoubt = 0.3F;  // weight of "not turned"
+  constexpr float kLong = 30;     // glyph units: shorter strokes say less about a direction
+  constexpr float kReach = 24;    // glyph units
+  constexpr float kStrange = 13;  // cost at which another stroke has a quarter of its weight
+  constexpr float kMostRough = 4;
+  const auto& s = all[own];
+  const auto chord = [](const Samples& m) { return std::pair{m.x[kLast] - m.x[0], m.y[kLast] - m.y[0]}; };
+  const auto [x, y] = chord(s.model);
+  float alike = 0, alike_weight = kDoubt;
+  float near = 0, near_weight = kDoubt;
+  float roughest = 0, rougher = 0;
+  for (std::size_t other = 0; other < all.size(); ++other) {
+    if (other == own) continue;
+    const auto& o = all[other];
+    const float slip = 1 + o.difference.cost / kStrange;
+    const auto [ox, oy] = chord(o.model);
+    const float length = std::max(std::hypot(ox, oy), 1e-3F);
+    const float cosine = (x * ox + y * oy) / (std::max(std::hypot(x, y), 1e-3F) * length);
+    const float in_direction =
+        cosine * cosine * cosine * cosine * std::min(length / kLong, 1.0F) / (slip * slip);
+    alike += in_direction * signed_turn(o);
+    alike_weight += in_direction;
+    const float dx = o.model.centre_x - s.model.centre_x;
+    const float dy = o.model.centre_y - s.model.centre_y;
+    const float beside = std::exp(-(dx * dx + dy * dy) / (2 * kReach * kReach)) / (slip * slip);
+    near += beside * o.residue.turn_rad;
+    near_weight += beside;
+    roughest = std::max(roughest, static_cast<float>(o.judgement.deviation));
+    if (o.judgement.deviation > s.judgement.deviation) ++rougher;
+  }
+  row.put(alike / alike_weight);
+  row.put(std::abs(signed_turn(s) - alike / alike_weight));
+  row.put(near / near_weight);
+  row.put(std::abs(s.residue.turn_rad - near / near_weight));
+  row.put(std::min(roughest, kMostRough));
+  row.put(rougher / static_cast<float>(std::max<std::size_t>(all.size() - 1, 1)));
+}
+
+/// Mean distance of the points of both lines, centred and of length 1.
+float unit_distance(const Samples& d, const Samples& m) {
+  const float of_drawn = 1 / std::max(d.length, 1e-6F);
+  const float of_model = 1 / std::max(m.length, 1e-6F);
+  float sum = 0;
+  for (std::size_t k = 0; k < kSamples; ++k)
+    sum += std::hypot((d.x[k] - d.centre_x) * of_drawn - (m.x[k] - m.centre_x) * of_model,
+                      (d.y[k] - d.centre_y) * of_drawn - (m.y[k] - m.centre_y) * of_model);
+  return sum / static_cast<float>(kSamples);
+}
+
+/// How far apart both lines are: their shapes, also as drawn, because a strange stroke bends the map to its
+/// own favour; and where they lie, also beside the neighbours.
+void put_distances(Row& row, const JudgedStroke& s) {
+  row.put(unit_distance(s.as_drawn, s.model));
+  row.put(unit_distance(s.drawn, s.model));
+  const float shared_x = s.difference.offset_x - s.placement.x;
+  const float shared_y = s.difference.offset_y - s.placement.y;
+  float apart = 0, apart_beside = 0;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const float x = s.drawn.x[k] - s.model.x[k];
+    const float y = s.drawn.y[k] - s.model.y[k];
+    apart += std::hypot(x, y);
+    apart_beside += std::hypot(x - shared_x, y - shared_y);
+  }
+  row.put(apart / static_cast<float>(kSamples));
+  row.put(apart_beside / static_cast<float>(kSamples));
+}
+
+/// What the map makes of the whole writing: how much wider it is than high, how it is turned and slanted.
+void put_map(Row& row, const Affine& map) {
+  const double size = map.a + map.d;
+  row.put(std::log(map.a / map.d));
+  row.put((map.c - map.b) / size);
+  row.put((map.c + map.b) / size);
+}
+
 }  // namespace
 
-std::vector<StrokeFeatures> stroke_features(std::span<const JudgedStroke> strokes, std::size_t of_model) {
+std::vector<StrokeFeatures> stroke_features(std::span<const JudgedStroke> strokes, std::size_t of_model,
+                                            const Affine& map) {
   Sums all;
   for (const auto& s : strokes) all.add(s, 1);
   std::vector<StrokeFeatures> result(strokes.size());
@@ -159,6 +299,10 @@ std::vector<StrokeFeatures> stroke_features(std::span<const JudgedStroke> stroke
     put_lines(row, strokes[k]);
     put_points(row, strokes[k]);
     row.put(of_model);
+    put_ends(row, strokes, k);
+    put_turns(row, strokes, k);
+    put_map(row, map);
+    put_distances(row, strokes[k]);
     assert(row.is_full());
   }
   return result;

@@ -127,7 +127,7 @@ TEST(JudgedStroke, AWayInTheOtherDirectionIsNotTaken) {
   EXPECT_EQ(judge_stroke(plain, hooked, std::array{plain}, d, {}).judgement.deviation, alone);
 }
 
-TEST(JudgedStroke, TheUseOfAFreeSlantCostsHalfTheLimit) {
+TEST(JudgedStroke, TheUseOfAFreeSlantCostsAThirdOfTheLimit) {
   auto dot = shape_of({40, 54}, {10, 24});
   const auto upright = shape_of({47, 47}, {8, 26});
   constexpr float kFar = 1e9F;
@@ -136,7 +136,7 @@ TEST(JudgedStroke, TheUseOfAFreeSlantCostsHalfTheLimit) {
   EXPECT_EQ(strange.used_freedom, 0);
   dot.free_slant = true;
   const auto free = judge_stroke(upright, dot, {}, d, {});
-  EXPECT_EQ(free.used_freedom, 0.5);
+  EXPECT_EQ(free.used_freedom, 0.35);
   EXPECT_LT(free.judgement.deviation, 0.25);
   EXPECT_GT(strange.judgement.deviation, 0.5 + free.judgement.deviation);
   const auto own = judge_stroke(dot, dot, {}, compare(dot, dot, kFar), {});

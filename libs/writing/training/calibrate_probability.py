@@ -108,7 +108,7 @@ def graded(cli, file):
 
 
 def probability(log_odds):
-    return 1 / (1 + math.exp(-log_odds))
+    return 1 / (1 + math.exp(-max(min(log_odds, 700), -700)))
 
 
 def regression(rows):
@@ -124,6 +124,8 @@ def regression(rows):
             ab += w * p * (1 - p) * x
             bb += w * p * (1 - p) * x * x
         size = aa * bb - ab * ab
+        if size < 1e-12:  # right and wrong ones do not overlap: no correction is the best
+            return math.nan, math.nan
         a, b = a + (bb * ga - ab * gb) / size, b + (aa * gb - ab * ga) / size
     return a, b
 

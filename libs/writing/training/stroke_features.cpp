@@ -62,7 +62,7 @@ void print_features(const Task& task, const Form& form) {
       !is_one_for_one(alignment))
     return;
   const auto strokes = judged_strokes(alignment, prepared->drawn, form);
-  const auto features = stroke_features(strokes, form.shapes.size());
+  const auto features = stroke_features(strokes, form.shapes.size(), alignment.map);
   for (std::size_t k = 0; k < features.size(); ++k) {
     const auto& link = alignment.links[k];
     std::printf("%d %d %d ", link.drawn, link.model, int{link.difference.reversed});

@@ -5,11 +5,12 @@
 usage: train_stroke_trees.py FEATURES KANJI.DB OUT.trees FILE.jsonl...
 FEATURES is the program nazori_stroke_features. The files are those of calibrate_probability.py, and so are the strange
 strokes. Needs numpy and scikit-learn. A stroke of a right writing is right, and so are the others beside a strange one. Beginnings
-of writings are learned, too, because strokes are also judged as they are written; and models of the database, from
-neater than any hand to as slanted and shaken as may be, also with strokes cut to a third or moved. Prints how many right writings are
+of writings are learned, too, because strokes are also judged as they are written; and writings of the same hands made
+steadier and rougher; and models of the database, from neater than any hand to as slanted and shaken as may be, also with
+strokes cut to a third or moved (strange) or made longer (right, because that is only advice). Prints how many right writings are
 accepted and how many strange strokes are told when a file is left out, and writes the trees learned from all of them.
-Their answer is calibrated: the log odds that a writing whose strangest stroke it is has a strange stroke, where one in
-two has."""
+Their answer is calibrated: the log odds that a writing whose strangest stroke it is has a strange stroke, where there
+are a few more right ones than strange ones."""
 import math
 import random
 import struct
@@ -20,9 +21,9 @@ import numpy
 from sklearn.ensemble import HistGradientBoostingClassifier
 from sklearn.linear_model import LogisticRegression
 
-from calibrate_probability import centre, length, sampled, spoiled, writings_of
+from calibrate_probability import centre, length, moved, sampled, spoiled, writings_of
 
-FEATURES = 85  # of a stroke: kStrokeFeatures of strangeness.h
+FEATURES = 103  # of a stroke: kStrokeFeatures of strangeness.h
 COPIES = 200_000  # strokes of each file, about, so that a small file is spoiled more often than a large one
 MOST_COPIES = 12  # of each kind
 # What can only make a stroke stranger: the deviation and its share of the allowance, and single parts of both.
@@ -30,6 +31,11 @@ GROWING = (0, 1, 7, 12, 13, 15, 16, 19, 25, 27, 28, 32, 33, 34, 35)
 OF_BEGINNING, OF_BESIDE = 0.3, 0.5  # weights beside the strokes of a right writing
 MOST_BESIDE = 2  # strokes beside a strange one
 LARGE = 10_000  # samples
+MANY = 1_000  # writings
+ENLARGED, ENLARGED_OF_MANY = (0.3, 1.3), (0.5, 1.4)  # of what strokes differ from the model by; hands, and drawn templates
+COPIES_OF_ENLARGED = 4
+CUTS = 3  # of each model
+RIGHT_TO_STRANGE = 1.25  # a right writing that is refused is as bad as so many strange ones that are accepted
 WEIGHT_OF_LARGE = 2  # a set of so many, beside each small one
 TREES = dict(max_iter=200, learning_rate=0.1, max_leaf_nodes=15, min_samples_leaf=40, l2_regularization=1, random_state=1)
 
@@ -44,21 +50,28 @@ class Sample:
         self.drawn = self.reversed = None
 
 
-def models_of(program, database):
-    """Every third model, drawn by hands of all steadiness: as it is, or each stroke turned, moved, and stretched a little,
-    and the whole slanted."""
+def models_in(program, database):
+    """The strokes of each character of the database."""
     answer = subprocess.run([program, database, "--models"], capture_output=True, text=True, check=True)
-    chance = random.Random("models")
-    writings = []
-    for line in answer.stdout.splitlines()[::3]:
+    models = {}
+    for line in answer.stdout.splitlines():
         numbers = iter(line.split())
         character, _, count = chr(int(next(numbers))), next(numbers), int(next(numbers))
+        models[character] = [
+            [[float(next(numbers)), float(next(numbers))] for _ in range(int(next(numbers)))] for _ in range(count)
+        ]
+    return models
+
+
+def drawn_models(models):
+    """Every third model, drawn by hands of all steadiness: as it is, or each stroke turned, moved, and stretched a little,
+    and the whole slanted."""
+    chance = random.Random("models")
+    writings = []
+    for character in list(models)[::3]:
         rough = max(0.0, chance.uniform(-0.4, 1.0))
         slant = slanted(rough, chance)
-        strokes = []
-        for _ in range(count):
-            points = [[float(next(numbers)), float(next(numbers))] for _ in range(int(next(numbers)))]
-            strokes.append([slant(p) for p in drawn_by_hand(points, rough, chance)])
+        strokes = [[slant(p) for p in drawn_by_hand(points, rough, chance)] for points in models[character]]
         writings.append({"char": character, "strokes": strokes})
     return writings
 
@@ -85,6 +98,38 @@ def drawn_by_hand(points, rough, chance):
     return result
 
 
+def laid_over(model, strokes):
+    """The model's strokes where the writing has them: moved, and each axis stretched."""
+    a, b = numpy.concatenate(model), numpy.concatenate(strokes)
+    a_centre, b_centre = a.mean(0), b.mean(0)
+    scale = ((a - a_centre) * (b - b_centre)).sum(0) / numpy.maximum(((a - a_centre) ** 2).sum(0), 1e-9)
+    if not (numpy.all(scale > 0.2) and numpy.all(scale < 3)):
+        scale = math.sqrt(((b - b_centre) ** 2).sum() / ((a - a_centre) ** 2).sum())
+    return [(stroke - a_centre) * scale + b_centre for stroke in model]
+
+
+def enlarged(writing, models, least, most, chance):
+    """The same hand, steadier or rougher: what each stroke differs from the model by, times a number about the same for
+    all of them."""
+    model = [numpy.array(sampled(stroke)) for stroke in models[writing["char"]]]
+    strokes = [numpy.array(sampled(stroke)) for stroke in writing["strokes"]]
+    of_all = chance.uniform(least, most)
+    result = []
+    for drawn, right in zip(strokes, laid_over(model, strokes), strict=True):
+        times = min(most, max(least, of_all + chance.gauss(0, 0.15)))
+        result.append((right + times * (drawn - right)).tolist())
+    return {"char": writing["char"], "strokes": result}
+
+
+def rougher_and_steadier(right, models):
+    """Other writings of the same hands, for learning only."""
+    chance = random.Random(f"enlarged {len(right)}")
+    of_many = len(right) > MANY
+    known = [w for w in right if len(models.get(w["char"], [])) == len(w["strokes"])]
+    bounds = ENLARGED_OF_MANY if of_many else ENLARGED
+    return [enlarged(w, models, *bounds, chance) for w in known[:: 2 if of_many else 1] for _ in range(1 if of_many else 5)]
+
+
 def cut(writing, chance):
     """The writing with one long stroke cut to about a third, and which; None where it has no long one."""
     strokes = writing["strokes"]
@@ -96,6 +141,16 @@ def cut(writing, chance):
     return strokes[:k] + [points] + strokes[k + 1 :], k
 
 
+def lengthened(writing, chance):
+    """The writing with one long stroke drawn longer; None where it has no long one. It is right: that is advice."""
+    strokes = writing["strokes"]
+    long = [i for i, s in enumerate(strokes) if length(s) > 0.25]
+    if not long:
+        return None
+    k = chance.choice(long)
+    return strokes[:k] + [moved(strokes[k], centre(strokes[k]), chance.uniform(1.2, 1.85))] + strokes[k + 1 :]
+
+
 def displaced(writing, chance):
     """The writing with one stroke moved by about a fifth of the box, and which."""
     strokes = writing["strokes"]
@@ -105,9 +160,9 @@ def displaced(writing, chance):
     return strokes[:k] + [to] + strokes[k + 1 :], k
 
 
-def samples_of(right, name, of_models=False):
+def samples_of(right, name, of_models=False, most_copies=MOST_COPIES):
     chance = random.Random(name)
-    copies = min(MOST_COPIES, max(3, COPIES // (20 * len(right))))
+    copies = min(most_copies, max(3, COPIES // (20 * len(right))))
     samples = []
 
     def add(w, strokes, strange, kind):
@@ -126,8 +181,11 @@ def samples_of(right, name, of_models=False):
                     strange = next(i for i, s in enumerate(strokes) if s is not w["strokes"][i])
                     add(w, strokes, strange, kind)
         if of_models:
-            if short := cut(w, chance):
-                add(w, *short, "cut")
+            for _ in range(CUTS):
+                if short := cut(w, chance):
+                    add(w, *short, "cut")
+            if long := lengthened(w, chance):
+                add(w, long, None, "long")
             if len(w["strokes"]) > 2:
                 add(w, *displaced(w, chance), "moved")
     return samples
@@ -181,12 +239,19 @@ def table(samples):
 
 
 def learned(groups):
-    x, y, w = zip(*(table(g) for g in groups))
-    scale = [WEIGHT_OF_LARGE if len(g) > LARGE else 1 for g in groups]
-    weight = numpy.concatenate([s * one for s, one in zip(scale, w)])
+    """Trees from groups of writings; each is a list of sets that weigh the same."""
+    x, y, weight = [], [], []
+    for group in groups:
+        scale = (WEIGHT_OF_LARGE if len(group[0]) > LARGE else 1) / len(group)
+        for one in group:
+            features, labels, weights = table(one)
+            x.append(features)
+            y.append(labels)
+            weight.append(scale * weights)
+    x, y, weight = (numpy.concatenate(parts) for parts in (x, y, weight))
     growing = [1 if i in GROWING else 0 for i in range(FEATURES)]
     trees = HistGradientBoostingClassifier(**TREES, monotonic_cst=growing)
-    return trees.fit(numpy.concatenate(x), numpy.concatenate(y), sample_weight=weight * sum(map(len, y)) / weight.sum())
+    return trees.fit(x, y, sample_weight=weight * len(y) / weight.sum())
 
 
 def strangest(trees, samples):
@@ -244,32 +309,39 @@ def main():
     if len(sys.argv) < 5:
         sys.exit(__doc__)
     program, database, output, files = sys.argv[1], sys.argv[2], sys.argv[3], sys.argv[4:]
+    models = models_in(program, database)
     groups = []
     for file in files:
-        groups.append(samples_of(writings_of(file), file.rsplit("/", 1)[-1]))
-        measure(program, database, groups[-1])
-    models = samples_of(models_of(program, database), "models", of_models=True)
-    measure(program, database, models)
+        right, name = writings_of(file), file.rsplit("/", 1)[-1]
+        own = samples_of(right, name)
+        more = samples_of(rougher_and_steadier(right, models), "enlarged " + name, most_copies=COPIES_OF_ENLARGED)
+        measure(program, database, own)
+        measure(program, database, more)
+        groups.append([own, more])
+    made = samples_of(drawn_models(models), "models", of_models=True)
+    measure(program, database, made)
     whole = []
     for i, file in enumerate(files):
-        if len(groups[i]) > LARGE:  # the others alone are too few: its characters are left out by turns
-            characters = sorted({s.character for s in groups[i]})
-            left = set(characters[:: 5])
-            inside = [s for s in groups[i] if s.character in left]
-            rest = [g if g is not groups[i] else [s for s in g if s.character not in left] for g in groups]
+        own = groups[i][0]
+        if len(own) > LARGE:  # the others alone are too few: its characters are left out by turns
+            left = set(sorted({s.character for s in own})[::5])
+            inside = [s for s in own if s.character in left]
+            rest = [[s for s in one if s.character not in left] for one in groups[i]]
+            others = groups[:i] + [rest] + groups[i + 1 :]
         else:
-            inside, rest = groups[i], groups[:i] + groups[i + 1 :]
+            inside, others = own, groups[:i] + groups[i + 1 :]
         inside = [s for s in inside if not s.is_beginning]
-        odds = strangest(learned(rest + [models]), inside)
+        odds = strangest(learned(others + [[made]]), inside)
         whole.append((file, inside, odds))
     a, b = calibrated([s for _, inside, _ in whole for s in inside], numpy.concatenate([o for _, _, o in whole]))
     print(f"calibration: {a:.3f} + {b:.3f} * log odds")
+    a -= math.log(RIGHT_TO_STRANGE)
     for said in (0.3, 0.4, 0.45, 0.5, 0.6):
         limit = numpy.log((1 - said) / said)
         print(f"accepted from {said}")
         for file, inside, odds in whole:
             report("  " + file.rsplit("/", 1)[-1], inside, a + b * odds, limit)
-    trees = nodes_of(learned(groups + [models]), a, b)
+    trees = nodes_of(learned(groups + [[made]]), a, b)
     with open(output, "wb") as out:
         out.write(trees)
 
