@@ -194,8 +194,11 @@ TEST_F(Inverse3, AServiceThatDoesNotTellItsVersionShowsByItsInventoryThatItKnows
 }
 
 TEST_F(Inverse3, AMinverseReachesLessAndIsNotPlacedByGuessing) {
-  const double wide_m = opened().workspace.high_m.x;
+  const DeviceWorkspace workspace = opened().workspace;
+  const double wide_m = workspace.high_m.x;
   EXPECT_NEAR(wide_m, 0.1 / std::sqrt(3.0), 1e-12);
+  EXPECT_EQ(workspace.high_m, Vec3(wide_m));
+  EXPECT_EQ(workspace.low_m, Vec3(-wide_m));
   service->type = "inverse3x";
   EXPECT_EQ(opened().workspace.high_m.x, wide_m);
   EXPECT_EQ(opened().device->describe().name, "Inverse3x 049D");

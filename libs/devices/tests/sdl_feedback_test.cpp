@@ -287,6 +287,16 @@ TEST_F(Feedback, AWallHumsAsHardAsItPushes) {
   EXPECT_FALSE(stick->anything_runs());
 }
 
+TEST_F(Feedback, RumbleThatWasToldAtTheVeryStartIsNotToldAgainWithinAHundredthOfASecond) {
+  RumbleCues rumble(controller);
+  rumble.apply(push(0.25, 0), 0);
+  EXPECT_EQ(stick->rumbles, 1);
+  rumble.apply(push(0.75, 0), 0.009);
+  EXPECT_EQ(stick->rumbles, 1);
+  rumble.apply(push(0.75, 0), 0.011);
+  EXPECT_EQ(stick->rumbles, 2);
+}
+
 TEST_F(Feedback, RumbleIsToldOnChangeAtMostAHundredTimesASecond) {
   RumbleCues rumble(controller);
   for (int ms = 0; ms < 1000; ++ms) rumble.apply(push(0.5, 0), ms * 0.001);

@@ -62,6 +62,27 @@ TEST_F(TabletDeviceTest, ADeviceThatIsFoundInTheMiddleOfAStrokeWaitsForItsEnd) {
   EXPECT_EQ(script_->opened, 1) << "it was open already";
 }
 
+TEST_F(TabletDeviceTest, SamplesAreEmittedWhenTheyAreTakenAndNeverNone) {
+  ASSERT_TRUE(device_.start());
+  std::size_t emitted = 0;
+  bool has_emitted_none = false;
+  device_.sampled.connect([&](std::span<const haptics::ServoSample> some) {
+    emitted += some.size();
+    has_emitted_none = has_emitted_none || some.empty();
+  });
+  device_.move({0, 0, 0, false, true});
+  std::size_t all = 0;
+  ASSERT_TRUE(comes([&] {
+    std::array<haptics::ServoSample, 256> samples;
+    const std::size_t before = emitted;
+    const std::size_t count = device_.take_samples(samples);
+    EXPECT_EQ(emitted - before, count);
+    all += count;
+    return all > 20;
+  }));
+  EXPECT_FALSE(has_emitted_none);
+}
+
 TEST_F(TabletDeviceTest, APausedDeviceGivesTheTabletToThePointerAndHasItAgainWhenItRuns) {
   choose_the_arm();
   int changes = 0;
