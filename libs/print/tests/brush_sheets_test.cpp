@@ -194,6 +194,23 @@ TEST(BrushSheets, TheLabelOfTheNameStandsInTheMiddleOfItsColumnAtTheTop) {
   }
 }
 
+TEST(BrushSheets, ALatinLabelRunsDownItsColumnFromTheTop) {
+  SheetSettings settings = brush(1);
+  settings.name_line = true;
+  std::vector<Box> letters;
+  const auto sheet = pages({level(U'一')}, settings);
+  for (const PageMark& mark : sheet[0].marks)
+    if (const Box box = box_of(mark); mark.filled && box.bottom < 100) letters.push_back(box);
+  ASSERT_EQ(letters.size(), 1U) << "a piece of text is one area";
+  // Four letters of 4 mm, the first at the top, lying on their side.
+  EXPECT_GT(letters[0].top, 12 + 2);
+  EXPECT_LT(letters[0].bottom, 12 + 2 + 4 * 4);
+  EXPECT_GT(letters[0].bottom - letters[0].top, 6);
+  const double middle = 12 + 0.13 * kWidth / 2;
+  EXPECT_GT(letters[0].left, middle - 2.5);
+  EXPECT_LT(letters[0].right, middle + 2.5);
+}
+
 TEST(BrushSheets, CopiesFadeAndTheOtherSheetsAreEmpty) {
   SheetSettings settings = brush(2);
   settings.rows = 4;

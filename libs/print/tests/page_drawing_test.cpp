@@ -240,6 +240,27 @@ TEST(PageDrawing, LettersAreOutlinesOfTheirSize) {
   EXPECT_GT(letter.bottom - letter.top, 0.5 * cell);
 }
 
+/// The box of one letter on manuscript paper, whose cells are 9.1 mm wide.
+Box letter_box(const std::string& letter) {
+  SheetSettings settings;
+  settings.layout = Layout::manuscript;
+  settings.text = letter;
+  auto paper = Worksheet::lay_out({}, settings);
+  EXPECT_TRUE(paper);
+  const PageDrawing page = paper->page(0);
+  for (const PageMark& mark : page.marks)
+    if (mark.filled && mark.grey == 0.5 && box_of(mark).top < 100) return box_of(mark);
+  ADD_FAILURE() << letter << " is not drawn";
+  return {};
+}
+
+TEST(PageDrawing, CurvesOfLettersBendAlongThem) {
+  // Also the control points of a level stroke lie in its narrow band.
+  const Box level = letter_box("一");
+  EXPECT_GT(level.right - level.left, 5);
+  EXPECT_LT(level.bottom - level.top, 2);
+}
+
 TEST(PageDrawing, WritingTheFileStopsWhenAsked) {
   Worksheet paper = sheet(U"休");
   const auto stopped = paper.pdf([](double, std::string_view) { return false; });
