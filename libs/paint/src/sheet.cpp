@@ -42,7 +42,7 @@ void fill_grain(Sheet::Inside& sheet) {
     };
     for (int y = 0; y < kPaperRows; ++y) {
       for (int x = 0; x < kTile; ++x) {
-        const auto to = static_cast<std::size_t>(y * kTile + x);
+        const std::size_t to = static_cast<std::size_t>(y) * kTile + static_cast<std::size_t>(x);
         tile.height[to] = grain.height[from(x, y - 1)];
         tile.density[to] = grain.density[from(x, y - 1)];
       }
