@@ -159,7 +159,10 @@ TEST_F(ReviewsWithTheBrush, WhatIsWrittenIsComparedThenRated) {
   EXPECT_EQ(session().state(), State::writing);
   const char32_t character = session().character();
   write_well();
+  const auto& bar = find<QWidget>("brush_review_bar");
+  const int before = bar.heightForWidth(1000);
   get_advice();
+  EXPECT_EQ(bar.heightForWidth(1000), before) << "the paper below stays where it is";
   EXPECT_TRUE(actions().advice->isChecked());
   for (auto* action : actions().rate) EXPECT_TRUE(action->isEnabled());
   EXPECT_FALSE(is_hidden("brush_review_verdict"));
@@ -257,12 +260,13 @@ TEST_F(ReviewsWithTheBrush, InALowWindowThePaperHasTheRoomOfTheToolsUntilTheyEnd
     by(actions().review);
     wait_for_character();
   };
-  resize(50 * em, 25 * em);
+  resize(50 * em, 13 * em);
   review();
   EXPECT_TRUE(panel().isHidden());
   EXPECT_FALSE(actions().tools->isChecked());
   EXPECT_FALSE(question().contains(sentence(", "))) << "one meaning: " << question().toStdString();
   EXPECT_FALSE(question().contains(sentence("、"))) << "one reading: " << question().toStdString();
+  EXPECT_EQ(find<QPushButton>("button_brush_skip").text(), sentence("Skip"));
   by(actions().end);
   EXPECT_FALSE(panel().isHidden());
   EXPECT_TRUE(actions().tools->isChecked());
@@ -282,6 +286,7 @@ TEST_F(ReviewsWithTheBrush, InALowWindowThePaperHasTheRoomOfTheToolsUntilTheyEnd
   resize(100 * em, 80 * em);
   review();
   EXPECT_FALSE(panel().isHidden()) << "there is room for both";
+  EXPECT_EQ(find<QPushButton>("button_brush_skip").text(), sentence("Skip  Ctrl+Shift+P"));
   EXPECT_TRUE(question().contains(sentence(", ")));
 }
 

@@ -24,6 +24,9 @@ namespace {
 constexpr int kGap_px = 6;
 constexpr int kSide_px = 16;
 constexpr double kLarger = 1.4;  ///< size of the question, relative to other text
+/// Below this height of the window, in sizes of its text, the keys of lesser buttons are in their tool tips
+/// only.
+constexpr double kRoomForKeys_em = 42;
 
 /// "Skip  Ctrl+Shift+P".
 QString with_key(const QAction& action) {
@@ -66,6 +69,9 @@ BrushReviewBar::BrushReviewBar(const practice::BrushSession& session, const prac
   words_->addWidget(question_);
   words_->addWidget(verdict_);
   column->addWidget(words_);
+  QSizePolicy kept = advice_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  advice_->setSizePolicy(kept);
   auto* step = new QWidget(steps_);
   (new FlowLayout(kGap_px, kGap_px, step))->addWidget(advice_);
   steps_->addWidget(step);
@@ -80,7 +86,8 @@ BrushReviewBar::BrushReviewBar(const practice::BrushSession& session, const prac
   auto* others = new QWidget(this);
   auto* row = new FlowLayout(kGap_px, kGap_px, others);
   for (auto* action : {actions.skip, actions.undo_rating, actions.end})
-    row->addWidget(compact_button(action, others));
+    row->addWidget(others_.emplace_back(compact_button(action, others), action).first);
+  progress_->setWordWrap(false);
   row->addWidget(progress_);
   column->addWidget(others);
   hide();
@@ -112,6 +119,8 @@ void BrushReviewBar::show_state(const std::optional<kanji::Character>& character
                                      : QString();
   question_->setText(question);
   const bool advised = session_.state() == practice::BrushSession::State::advised;
+  for (const auto& [button, action] : others_)
+    button->setText(height_em < kRoomForKeys_em ? action->iconText() : with_key(*action));
   words_->setCurrentIndex(advised ? 1 : 0);
   steps_->setCurrentIndex(advised ? 1 : 0);
   advice_->setVisible(!advised);

@@ -4,11 +4,14 @@
 #include <QFrame>
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "nazori/kanji/character.h"
 #include "nazori/practice/brush_session.h"
 #include "nazori/practice/session_question.h"
 
+class QAction;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -44,6 +47,7 @@ class BrushReviewBar final : public QFrame {
   QStackedWidget* steps_;  ///< the button for advice, then the ratings
   QPushButton* advice_;
   QWidget* ratings_;
+  std::vector<std::pair<QPushButton*, const QAction*>> others_;  ///< what else can be done
   QLabel* progress_;
   std::array<QPushButton*, 4> rating_{};
   SpokenLine* spoken_;
