@@ -134,6 +134,7 @@ std::vector<std::string> explain_score(const Grade& grade, Language language) {
         return cut(a) < cut(b);
       })->points;
   std::vector<std::string> sentences;
+  sentences.reserve(parts.size());
   for (const auto& part : parts)
     sentences.push_back(fmt::format(fmt::runtime(text(part.text, language)), part.points, part.most));
   return sentences;

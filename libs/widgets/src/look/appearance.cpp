@@ -14,6 +14,8 @@
 #include <QSlider>
 #include <QStyleOptionSlider>
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "nazori/widgets/look/palette.h"
 #include "nazori/widgets/look/style_sheet.h"
@@ -96,7 +98,7 @@ QFont with_japanese(QFont font) {
 Appearance::Appearance(QObject* parent)
     : QObject(parent), palette_dark_(ui::is_dark(QApplication::palette())) {
   // The application owns it.
-  QApplication::setStyle(new CalmStyle);
+  QApplication::setStyle(std::make_unique<CalmStyle>().release());
   apply(theme_, text_pt_);
   ask_desktop();
 }
