@@ -14,7 +14,6 @@
 #include <QSlider>
 #include <QStyleOptionSlider>
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "nazori/widgets/look/palette.h"
@@ -97,9 +96,9 @@ QFont with_japanese(QFont font) {
 
 Appearance::Appearance(QObject* parent)
     : QObject(parent), palette_dark_(ui::is_dark(QApplication::palette())) {
-  // The application owns it.
-  QApplication::setStyle(std::make_unique<CalmStyle>().release());
-  apply(theme_, text_pt_);
+  // The application owns the style.
+  QApplication::setStyle(new CalmStyle);
+  apply(theme_, text_pt_);  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks)
   ask_desktop();
 }
 
