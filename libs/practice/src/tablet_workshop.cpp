@@ -20,7 +20,7 @@ namespace {
 
 using std::filesystem::path;
 
-/// Each takes 8 MB, and carving one anew a few milliseconds: the last character and the one before it.
+/// The last character and the one before it. A tablet takes 8 MB, and carving one again a few milliseconds.
 constexpr std::size_t kRecent = 2;
 constexpr std::string_view kBetweenNames = " + ";
 

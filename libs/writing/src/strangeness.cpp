@@ -96,13 +96,13 @@ void put_others(Row& row, const JudgedStroke& s, Sums others, std::size_t count)
   row.put(others.away * each);
 }
 
-/// The turn from the model's line between two samples to the drawn one, without its sign.
+/// The turn from the model's line between two samples to the drawn one, clockwise.
 float turn_between(const Samples& d, const Samples& m, std::size_t from, std::size_t to) {
   const float dx = d.x[to] - d.x[from];
   const float dy = d.y[to] - d.y[from];
   const float mx = m.x[to] - m.x[from];
   const float my = m.y[to] - m.y[from];
-  return std::abs(std::atan2(mx * dy - my * dx, mx * dx + my * dy));
+  return std::atan2(mx * dy - my * dx, mx * dx + my * dy);
 }
 
 void put_lines(Row& row, const JudgedStroke& s) {
@@ -118,10 +118,10 @@ void put_lines(Row& row, const JudgedStroke& s) {
   const float down = m.y[kLast] - m.y[0];
   const float chord = std::max(std::hypot(across, down), 1e-3F);
   for (const float v : {across / chord, down / chord, chord}) row.put(v);
-  row.put(turn_between(d, m, 0, 6));
-  row.put(turn_between(d, m, 6, 12));
-  row.put(turn_between(d, m, 12, 18));
-  row.put(turn_between(d, m, 18, kLast));
+  row.put(std::abs(turn_between(d, m, 0, 6)));
+  row.put(std::abs(turn_between(d, m, 6, 12)));
+  row.put(std::abs(turn_between(d, m, 12, 18)));
+  row.put(std::abs(turn_between(d, m, 18, kLast)));
 }
 
 void put_points(Row& row, const JudgedStroke& s) {
@@ -197,18 +197,9 @@ void put_ends(Row& row, std::span<const JudgedStroke> all, std::size_t own) {
   for (const float v : {off[0], off[1], std::min(off[0], off[1]), distance[0], distance[1]}) row.put(v);
 }
 
-/// The turn from the model's line between both ends to the drawn one, clockwise.
-float signed_turn(const JudgedStroke& s) {
-  constexpr std::size_t kLast = kSamples - 1;
-  const float dx = s.drawn.x[kLast] - s.drawn.x[0];
-  const float dy = s.drawn.y[kLast] - s.drawn.y[0];
-  const float mx = s.model.x[kLast] - s.model.x[0];
-  const float my = s.model.y[kLast] - s.model.y[0];
-  return std::atan2(mx * dy - my * dx, mx * dx + my * dy);
-}
-
 /// How the strokes are turned that go in the same direction, or lie near: a hand turns them alike.
-void put_turns(Row& row, std::span<const JudgedStroke> all, std::size_t own) {
+/// @param turns  of each stroke, between both ends
+void put_turns(Row& row, std::span<const JudgedStroke> all, std::span<const float> turns, std::size_t own) {
   constexpr std::size_t kLast = kSamples - 1;
   constexpr float kDoubt = 0.3F;  // weight of "not turned"
   constexpr float kLong = 30;     // glyph units: shorter strokes say less about a direction
@@ -230,7 +221,7 @@ void put_turns(Row& row, std::span<const JudgedStroke> all, std::size_t own) {
     const float cosine = (x * ox + y * oy) / (std::max(std::hypot(x, y), 1e-3F) * length);
     const float in_direction =
         cosine * cosine * cosine * cosine * std::min(length / kLong, 1.0F) / (slip * slip);
-    alike += in_direction * signed_turn(o);
+    alike += in_direction * turns[other];
     alike_weight += in_direction;
     const float dx = o.model.centre_x - s.model.centre_x;
     const float dy = o.model.centre_y - s.model.centre_y;
@@ -241,7 +232,7 @@ void put_turns(Row& row, std::span<const JudgedStroke> all, std::size_t own) {
     if (o.judgement.deviation > s.judgement.deviation) ++rougher;
   }
   row.put(alike / alike_weight);
-  row.put(std::abs(signed_turn(s) - alike / alike_weight));
+  row.put(std::abs(turns[own] - alike / alike_weight));
   row.put(near / near_weight);
   row.put(std::abs(s.residue.turn_rad - near / near_weight));
   row.put(std::min(roughest, kMostRough));
@@ -290,7 +281,12 @@ void put_map(Row& row, const Affine& map) {
 std::vector<StrokeFeatures> stroke_features(std::span<const JudgedStroke> strokes, std::size_t of_model,
                                             const Affine& map) {
   Sums all;
-  for (const auto& s : strokes) all.add(s, 1);
+  std::vector<float> turns;
+  turns.reserve(strokes.size());
+  for (const auto& s : strokes) {
+    all.add(s, 1);
+    turns.push_back(turn_between(s.drawn, s.model, 0, kSamples - 1));
+  }
   std::vector<StrokeFeatures> result(strokes.size());
   for (std::size_t k = 0; k < strokes.size(); ++k) {
     Row row(result[k]);
@@ -300,7 +296,7 @@ std::vector<StrokeFeatures> stroke_features(std::span<const JudgedStroke> stroke
     put_points(row, strokes[k]);
     row.put(of_model);
     put_ends(row, strokes, k);
-    put_turns(row, strokes, k);
+    put_turns(row, strokes, turns, k);
     put_map(row, map);
     put_distances(row, strokes[k]);
     assert(row.is_full());

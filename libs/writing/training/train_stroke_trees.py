@@ -130,13 +130,18 @@ def rougher_and_steadier(right, models):
     return [enlarged(w, models, *bounds, chance) for w in known[:: 2 if of_many else 1] for _ in range(1 if of_many else 5)]
 
 
+def a_long_stroke(strokes, chance):
+    """The index of one of them; None where there is none."""
+    long = [i for i, s in enumerate(strokes) if length(s) > 0.25]
+    return chance.choice(long) if long else None
+
+
 def cut(writing, chance):
     """The writing with one long stroke cut to about a third, and which; None where it has no long one."""
     strokes = writing["strokes"]
-    long = [i for i, s in enumerate(strokes) if length(s) > 0.25]
-    if not long:
+    k = a_long_stroke(strokes, chance)
+    if k is None:
         return None
-    k = chance.choice(long)
     points = sampled(strokes[k])[: chance.choice((7, 8, 9))]
     return strokes[:k] + [points] + strokes[k + 1 :], k
 
@@ -144,10 +149,9 @@ def cut(writing, chance):
 def lengthened(writing, chance):
     """The writing with one long stroke drawn longer; None where it has no long one. It is right: that is advice."""
     strokes = writing["strokes"]
-    long = [i for i, s in enumerate(strokes) if length(s) > 0.25]
-    if not long:
+    k = a_long_stroke(strokes, chance)
+    if k is None:
         return None
-    k = chance.choice(long)
     return strokes[:k] + [moved(strokes[k], centre(strokes[k]), chance.uniform(1.2, 1.85))] + strokes[k + 1 :]
 
 
