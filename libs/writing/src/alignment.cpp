@@ -204,10 +204,18 @@ Guess Aligner::guess_around_a_gap(bool join) {
 
 }  // namespace
 
-bool is_one_wrong_in_order(StrokeComparer& strokes, const std::optional<Affine>& box) {
+Alignment align_in_order(StrokeComparer& strokes, const std::optional<Affine>& box) {
   const auto moments = fit_by_moments(strokes.drawn(), strokes.model());
-  const auto guess = Aligner(strokes, box, Extent::whole, moments.a).guess_in_order(strokes.drawn().size());
-  return std::any_of(guess.links.begin(), guess.links.end(),
+  const std::size_t count = strokes.drawn().size();
+  auto guess = Aligner(strokes, box, Extent::whole, moments.a).guess_in_order(count);
+  auto alignment = explanation_of(std::move(guess.links), guess.cost, count, count, Extent::whole);
+  alignment.map = guess.map;
+  return alignment;
+}
+
+bool is_one_wrong_in_order(StrokeComparer& strokes, const std::optional<Affine>& box) {
+  const auto alignment = align_in_order(strokes, box);
+  return std::any_of(alignment.links.begin(), alignment.links.end(),
                      [](const Link& link) { return link.difference.cost >= kWrong; });
 }
 

@@ -47,6 +47,8 @@ struct AlignmentInput {
 /// The likeliest explanation of the drawn strokes; at least one drawn and one model stroke.
 [[nodiscard]] Alignment align(const AlignmentInput& input);
 [[nodiscard]] Alignment align(StrokeComparer& strokes, const std::optional<Affine>& box, Extent extent);
+/// Each drawn stroke is the model's with the same number. @pre as many drawn strokes as the model's.
+[[nodiscard]] Alignment align_in_order(StrokeComparer& strokes, const std::optional<Affine>& box);
 /// Whether one of the strokes, taken in their order, is certainly wrong. @pre as many drawn strokes as the
 /// model's.
 [[nodiscard]] bool is_one_wrong_in_order(StrokeComparer& strokes, const std::optional<Affine>& box);

@@ -319,5 +319,30 @@ TEST(Grade, BadInkIsRefusedWithTheStrokeAtFault) {
   EXPECT_FALSE(grade(trace(rest()), model, {1.5, false}));
 }
 
+TEST(Grade, AStrangeStrokeThatLooksLikeAnotherOneIsTheOnlyMistake) {
+  struct Case {
+    kanji::Character character;
+    std::size_t stroke;
+    geometry::Polyline<WritingFrame> line;
+  };
+  const Case cases[] = {{rest(), 4, {{68, 30}, {71, 66}}},   // like the stroke before it
+                        {three(), 0, {{22, 70}, {60, 73}}},  // below the second bar
+                        {eye(), 2, {{92, 76}, {16, 64}}},    // like the next one, backwards
+                        {eye(), 3, {{46, 95}, {63, 90}}}};   // at the place of the last one
+  for (const auto& c : cases) {
+    auto ink = trace(c.character);
+    ink.strokes[c.stroke] = along(c.line);
+    const std::vector<std::string> only{"wrong@" + std::to_string(c.stroke)};
+    for (const double strictness : {0.2, kNormal, 0.8}) {
+      const auto g = graded(ink, model_of(c.character), strictness);
+      EXPECT_EQ(mistake_names(g), only) << strictness;
+      EXPECT_TRUE(std::none_of(g.advice.begin(), g.advice.end(), [](const Mistake& m) {
+        return m.kind == kanji::MistakeKind::order;
+      })) << strictness;
+      for (std::size_t k = 0; k < g.strokes.size(); ++k) EXPECT_EQ(g.strokes[k].ok, k != c.stroke) << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nazori::writing::test

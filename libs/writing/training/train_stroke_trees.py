@@ -8,7 +8,9 @@ strokes. Needs numpy and scikit-learn. A stroke of a right writing is right, and
 of writings are learned, too, because strokes are also judged as they are written; and writings of the same hands made
 steadier and rougher; and models of the database, from neater than any hand to as slanted and shaken as may be, also with
 strokes cut to a third or moved (strange) or made longer (right, because that is only advice). Prints how many right writings are
-accepted and how many strange strokes are told when a file is left out, and writes the trees learned from all of them.
+accepted and how many strange strokes are told when a file is left out, and when every
+fifth character of each file is left out in turn (the same hand, characters that were never seen), and writes the trees learned
+from all of them.
 Their answer is calibrated: the log odds that a writing whose strangest stroke it is has a strange stroke, where there
 are a few more right ones than strange ones."""
 import math
@@ -32,6 +34,7 @@ OF_BEGINNING, OF_BESIDE = 0.3, 0.5  # weights beside the strokes of a right writ
 MOST_BESIDE = 2  # strokes beside a strange one
 LARGE = 10_000  # samples
 MANY = 1_000  # writings
+PARTS = 5  # of the characters of a hand
 ENLARGED, ENLARGED_OF_MANY = (0.3, 1.3), (0.5, 1.4)  # of what strokes differ from the model by; hands, and drawn templates
 COPIES_OF_ENLARGED = 4
 CUTS = 3  # of each model
@@ -309,6 +312,51 @@ def nodes_of(trees, a, b):
     return data
 
 
+def whole_writings(samples):
+    return [s for s in samples if not s.is_beginning]
+
+
+def other_hands(files, groups, made):
+    """For each file its writings, and what is said of them by trees that never saw it."""
+    results = []
+    for i, file in enumerate(files):
+        own = groups[i][0]
+        if len(own) > LARGE:  # the others alone are too few: its characters are left out by turns
+            inside, rest = without(groups[i], part_of(own, file, 0))
+            others = groups[:i] + [rest] + groups[i + 1 :]
+        else:
+            inside, others = own, groups[:i] + groups[i + 1 :]
+        inside = whole_writings(inside)
+        results.append((file, inside, strangest(learned(others + [[made]]), inside)))
+    return results
+
+
+def other_characters(files, groups, made):
+    """The same by trees that saw other characters of each hand."""
+    inside, odds = [[] for _ in files], [[] for _ in files]
+    for k in range(PARTS):
+        split = [without(group, part_of(group[0], file, k)) for file, group in zip(files, groups)]
+        trees = learned([rest for _, rest in split] + [[made]])
+        for i, (own, _) in enumerate(split):
+            own = whole_writings(own)
+            inside[i] += own
+            odds[i].append(strangest(trees, own))
+    return [(file, inside[i], numpy.concatenate(odds[i])) for i, file in enumerate(files)]
+
+
+def part_of(samples, file, k):
+    """One of PARTS parts of the characters in them."""
+    characters = sorted({s.character for s in samples})
+    random.Random(file.rsplit("/", 1)[-1]).shuffle(characters)
+    return set(characters[k::PARTS])
+
+
+def without(group, characters):
+    """The writings of these characters, and the group without them."""
+    inside = [s for s in group[0] if s.character in characters]
+    return inside, [[s for s in one if s.character not in characters] for one in group]
+
+
 def main():
     if len(sys.argv) < 5:
         sys.exit(__doc__)
@@ -324,27 +372,16 @@ def main():
         groups.append([own, more])
     made = samples_of(drawn_models(models), "models", of_models=True)
     measure(program, database, made)
-    whole = []
-    for i, file in enumerate(files):
-        own = groups[i][0]
-        if len(own) > LARGE:  # the others alone are too few: its characters are left out by turns
-            left = set(sorted({s.character for s in own})[::5])
-            inside = [s for s in own if s.character in left]
-            rest = [[s for s in one if s.character not in left] for one in groups[i]]
-            others = groups[:i] + [rest] + groups[i + 1 :]
-        else:
-            inside, others = own, groups[:i] + groups[i + 1 :]
-        inside = [s for s in inside if not s.is_beginning]
-        odds = strangest(learned(others + [[made]]), inside)
-        whole.append((file, inside, odds))
+    whole = other_hands(files, groups, made)
     a, b = calibrated([s for _, inside, _ in whole for s in inside], numpy.concatenate([o for _, _, o in whole]))
     print(f"calibration: {a:.3f} + {b:.3f} * log odds")
     a -= math.log(RIGHT_TO_STRANGE)
-    for said in (0.3, 0.4, 0.45, 0.5, 0.6):
-        limit = numpy.log((1 - said) / said)
-        print(f"accepted from {said}")
-        for file, inside, odds in whole:
-            report("  " + file.rsplit("/", 1)[-1], inside, a + b * odds, limit)
+    for what, results in (("other hands", whole), ("other characters of the same hands", other_characters(files, groups, made))):
+        for said in (0.3, 0.4, 0.45, 0.5, 0.6):
+            limit = numpy.log((1 - said) / said)
+            print(f"{what}, accepted from {said}")
+            for file, inside, odds in results:
+                report("  " + file.rsplit("/", 1)[-1], inside, a + b * odds, limit)
     trees = nodes_of(learned(groups + [[made]]), a, b)
     with open(output, "wb") as out:
         out.write(trees)
