@@ -12,6 +12,8 @@
 namespace nazori::writing {
 namespace {
 
+constexpr int kRounds = 4;
+
 double scale_of(const Affine& map) { return std::sqrt(std::abs(map.a * map.d - map.b * map.c)); }
 
 /// Cost of a position and size that differ from what the box suggests; small, because it only breaks ties.
@@ -32,6 +34,16 @@ float box_cost(const std::optional<Affine>& box, Extent extent, const Affine& ma
   const double size_sigma = 0.25;
   return static_cast<float>(std::min(
       (dx * dx + dy * dy) / (place_sigma * place_sigma) + size * size / (size_sigma * size_sigma), 20.0));
+}
+
+/// Whether so many strokes fit one for one that no other map explains the character better.
+bool all_but_one_fit(const Alignment& a) {
+  constexpr std::size_t kMany = 8;
+  constexpr float kFits = kAcceptCost / 3;  // less than one stroke of two that are joined
+  const auto strays = std::count_if(a.links.begin(), a.links.end(), [](const Link& l) {
+    return l.drawn_count > 1 || l.model_count > 1 || l.difference.cost > kFits;
+  });
+  return a.links.size() >= kMany && static_cast<std::size_t>(strays) + a.missing.size() + a.extra.size() <= 1;
 }
 
 /// Strokes one for one, and perhaps two of the model's in one, without what they differ by.
@@ -67,7 +79,7 @@ class Aligner {
       : strokes_(strokes), box_(box), extent_(extent), scale_(scale) {}
 
   /// From a first map; ends early where the first explanation costs more than `hopeless`.
-  [[nodiscard]] Alignment settle(Affine map, int rounds = 4, float hopeless = kNever, float far = kFar);
+  [[nodiscard]] Alignment settle(Affine map, int rounds, float hopeless, float far = kFar);
   /// The map under which the strokes, taken in order, fit best.
   [[nodiscard]] Guess guess_in_order(std::size_t count);
   /// The likeliest place where the one stroke too few or too many is left out, or where two are joined. All
@@ -232,33 +244,35 @@ Alignment align(StrokeComparer& strokes, const std::optional<Affine>& box, Exten
 
   Alignment best;
   best.cost = kNever;
-  const auto take = [&best](Alignment a) {
+  // Where three of four strokes are wrong, no better map makes the character of it.
+  const float hopeless = 0.75F * kWrong * static_cast<float>(std::max(n, m));
+  const auto settle = [&](const Affine& map) {
+    auto a = aligner.settle(map, kRounds, hopeless);
     if (a.cost < best.cost) best = std::move(a);
   };
-  const auto good = [&best, m] { return best.cost < 2.5F * static_cast<float>(m) && best.cost < kJoined; };
-
   if (n == m) {
-    take(aligner.settle(aligner.guess_in_order(n).map));
-    if (good()) return best;
+    settle(aligner.guess_in_order(n).map);
+    const bool is_good = best.cost < std::min(2.5F * static_cast<float>(m), kJoined);
+    if (is_good || all_but_one_fit(best)) return best;
   } else if (extent == Extent::whole && (n + 1 == m || m + 1 == n)) {
     const auto left_out = aligner.guess_around_a_gap(false);
-    take(aligner.settle(left_out.map));
+    settle(left_out.map);
     // No explanation with one stroke too few or too many costs less.
     const auto settled = [&best, m] {
       return best.cost - std::min(kMissing, kExtra) < std::min(1.0F * static_cast<float>(m), kJoined);
     };
-    if (settled()) return best;
+    if (settled() || all_but_one_fit(best)) return best;
     if (n < m) {
       const auto together = aligner.guess_around_a_gap(true);
-      if (together.cost < left_out.cost + kMissing) take(aligner.settle(together.map));
+      if (together.cost < left_out.cost + kMissing) settle(together.map);
       if (settled()) return best;
     }
   }
   if (extent == Extent::beginning && n < m)
-    take(aligner.settle(aligner.guess_in_order(n).map));
+    settle(aligner.guess_in_order(n).map);
   else
-    take(aligner.settle(moments));
-  if (box) take(aligner.settle(*box));
+    settle(moments);
+  if (box) settle(*box);
   return best;
 }
 

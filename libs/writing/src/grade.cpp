@@ -324,10 +324,13 @@ std::ptrdiff_t faults_of(const Grade& grade) {
 }
 
 /// A strange stroke that looks a little like another one is taken for it, and that one is then blamed, too.
-/// One mistake is likelier than two: perhaps all strokes came in their turn.
+/// One mistake is likelier than two: perhaps all strokes came in their turn. Many mistakes are a scribble.
 bool may_be_in_turn(const Grade& grade) {
-  return faults_of(grade) > 1 && (std::any_of(grade.mistakes.begin(), grade.mistakes.end(), is_order) ||
-                                  std::any_of(grade.advice.begin(), grade.advice.end(), is_order));
+  constexpr int kFew = 4;
+  const auto faults = faults_of(grade);
+  return faults > 1 && faults <= kFew &&
+         (std::any_of(grade.mistakes.begin(), grade.mistakes.end(), is_order) ||
+          std::any_of(grade.advice.begin(), grade.advice.end(), is_order));
 }
 
 Grade judge_main_form(std::span<const Shape> drawn, const std::optional<Affine>& box,
