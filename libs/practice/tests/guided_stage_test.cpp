@@ -24,12 +24,14 @@ TEST_F(GuidedStageTest, HelpFadesWithEachTimeWithoutAMistakeAndThenThereIsNone) 
   guided_.enter(subject_);
   EXPECT_EQ(last().event, StageEvent::follow_hidden);
   const double lines[] = {0.45, 0.2, 0.0, 0.0};
+  const double pull[] = {1.0, 0.6, 0.3, 0.0};
   for (int time = 0; time < 4; ++time) {
     const auto overlay = tablet_.overlay();
     EXPECT_DOUBLE_EQ(overlay.lines_opacity, lines[time]);
     EXPECT_EQ(overlay.numbers_visible, time == 0);
     EXPECT_EQ(overlay.arrows_visible, time < 2);
     EXPECT_EQ(tablet_.snapping_in_effect(), time < 3);
+    EXPECT_DOUBLE_EQ(tablet_.guides()->snapping_strength, pull[time]);
     write_all();
     EXPECT_EQ(last().event, time < 2 ? StageEvent::guided_less_help : StageEvent::guided_without_help);
     EXPECT_EQ(guided_.successes(), time + 1);

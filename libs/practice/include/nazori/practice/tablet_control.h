@@ -115,6 +115,7 @@ class TabletControl {
   /// nothing here. Nothing: the tablet again.
   void set_sheet(std::optional<FlatSheet> sheet);
   void set_guides(const std::optional<TabletGuides>& guides);
+  [[nodiscard]] const std::optional<TabletGuides>& guides() const { return guides_; }
   /// Whether the active device can lead the hand.
   [[nodiscard]] bool can_lead() const { return device_.describe().has_force; }
   /// Flat ink on the tablet, drawn as given.
