@@ -181,3 +181,23 @@ def blamed(messages, faults):
             else:
                 mentioned[number] = bool(wants.search(errors))
     return direct or mentioned or below
+
+
+def behind_constants(messages, faults, text_of):
+    """Those of the faults in the default of a member, {number: True}, for which a constant of that type is none any more.
+
+    The compiler names only the line of the constant. text_of gives the source of a file without faults.
+    """
+    constants = [
+        text_of(file).split("\n")[int(line) - 1]
+        for file, line in re.findall(r"^(?:\.\./)*([^\s:]+):(\d+):\d+: error: call to non-.constexpr. function", messages, re.M)
+    ]
+    found = {}
+    for number, fault in faults.items():
+        if not fault.file.endswith(".h"):
+            continue
+        above = "\n".join(text_of(fault.file).split("\n")[: fault.line])
+        types = re.findall(r"^\s*(?:struct|class) (\w+)", above, re.M)
+        if types and any(re.search(rf"\b{types[-1]}\b", constant) for constant in constants):
+            found[number] = True
+    return found

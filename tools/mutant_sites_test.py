@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from mutant_guards import HEADER, blamed, guarded, planted as planted_text  # noqa: E402
+from mutant_guards import HEADER, behind_constants, blamed, guarded, planted as planted_text  # noqa: E402
 from mutant_sites import faults_of  # noqa: E402
 from mutant_tests import Suite  # noqa: E402
 
@@ -225,6 +225,17 @@ class Asleep(unittest.TestCase):
         faults = {f.line: f for f in faults_of("libs/a/src/f.cpp", f"void f() {{{lines}}}\n") if f.kind == "off by one"}
         self.assertEqual(sorted(faults), [4, 35])
         self.assertEqual(blamed(calls, faults), {4: False})
+
+    def test_the_default_of_a_member_is_blamed_where_a_constant_of_its_type_is_none_any_more(self):
+        header = "struct Place {\n  int at = 0;\n};\nstruct Limits {\n  int depth = 64;\n};\n"
+        sources = {"libs/a/include/limits.h": header, "libs/b/src/b.cpp": "int first();\nconstexpr Limits kLimits{};\n"}
+        depth = next(f for f in faults_of("libs/a/include/limits.h", header) if f.line == 5)
+        place = next(f for f in faults_of("libs/a/include/limits.h", header) if f.line == 2)
+        faults = {3: depth, 4: place}
+        told = "../../libs/b/src/b.cpp:2:26: error: call to non-‘constexpr’ function ‘bool nazori_planted::is(int)’\n"
+        self.assertEqual(behind_constants(told, faults, sources.get), {3: True})
+        self.assertEqual(behind_constants(told.replace(":2:26", ":1:5"), faults, sources.get), {})
+        self.assertEqual(behind_constants(told.replace("call to", "no"), faults, sources.get), {})
 
 
 class Rounds(unittest.TestCase):
