@@ -160,12 +160,13 @@ def blamed(messages, faults):
     """Those of the faults, {number: fault}, that the compiler's messages are about, with whether it wanted a constant there.
 
     @return {number: bool}. First of all those at whose line an error is; else those at a line that was mentioned; else those
-    a few lines below one: an early return within a function that is an argument is told at the call.
+    a few lines below one: an early return within a function that is an argument is told at the call; else those in a file
+    that has an error: an early return within a lambda is told at its other returns.
     """
     places = collections.defaultdict(list)
     for number, fault in faults.items():
         places[(fault.file, fault.line)].append(number)
-    direct, mentioned, below = {}, {}, {}
+    direct, mentioned, below, in_file = {}, {}, {}, {}
     errors = "\n".join(re.findall(r"^.* error: .*$", messages, re.M))
     wants = re.compile(r"constant expression|constant-expression|constexpr|is not a constant|case label|bit-field|enumerator")
     for match in PLACE.finditer(messages):
@@ -174,13 +175,15 @@ def blamed(messages, faults):
         for number, fault in faults.items():
             if fault.file == file and 0 < fault.line - int(match.group(2)) <= FEW_LINES:
                 below[number] = bool(wants.search(errors))
+            if fault.file == file and " error:" in match.group(3):
+                in_file[number] = False
         for number in places.get((file, int(match.group(2))), ()):
             says = match.group(3)
             if " error:" in says:
                 direct[number] = direct.get(number, False) or bool(wants.search(says))
             else:
                 mentioned[number] = bool(wants.search(errors))
-    return direct or mentioned or below
+    return direct or mentioned or below or in_file
 
 
 def behind_constants(messages, faults, text_of):

@@ -217,7 +217,7 @@ class Asleep(unittest.TestCase):
         self.assertEqual(blamed(error, {4: fault}), {4: True})
         self.assertEqual(blamed(error.replace("the value is not usable in a constant expression", "no match"), {4: fault}), {4: False})
         self.assertEqual(blamed("libs/b.cpp:7:1: error: no\nlibs/a/src/f.cpp:1:5: note: declared here\n", {4: fault}), {4: False})
-        self.assertEqual(blamed("libs/a/src/f.cpp:2:5: error: no\n", {4: fault}), {})
+        self.assertEqual(blamed("libs/a/src/g.cpp:1:5: error: no\n", {4: fault}), {})
 
     def test_an_early_return_within_an_argument_is_blamed_where_the_call_is_mentioned(self):
         calls = "libs/a/src/inside.h:61:18: error: could not convert\nlibs/a/src/f.cpp:3:20:   required from here\n"
@@ -225,6 +225,12 @@ class Asleep(unittest.TestCase):
         faults = {f.line: f for f in faults_of("libs/a/src/f.cpp", f"void f() {{{lines}}}\n") if f.kind == "off by one"}
         self.assertEqual(sorted(faults), [4, 35])
         self.assertEqual(blamed(calls, faults), {4: False})
+
+    def test_an_early_return_within_a_lambda_is_blamed_where_its_other_return_is(self):
+        told = "../../libs/a/src/f.cpp:3:12: error: inconsistent types ‘void’ and ‘int’ deduced for lambda return type\n"
+        faults = {n: faults_of(f"libs/a/src/{name}.cpp", "void f() {\n  n = 3;\n}\n")[0] for n, name in ((4, "f"), (5, "g"))}
+        self.assertEqual(faults[4].line, 2)
+        self.assertEqual(blamed(told, faults), {4: False})
 
     def test_the_default_of_a_member_is_blamed_where_a_constant_of_its_type_is_none_any_more(self):
         header = "struct Place {\n  int at = 0;\n};\nstruct Limits {\n  int depth = 64;\n};\n"
