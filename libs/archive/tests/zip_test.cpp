@@ -114,6 +114,25 @@ TEST(Zip, LimitsHold) {
   EXPECT_EQ(why_not(bytes, {2, 999}), "a: unpacks to too much");
 }
 
+TEST(Zip, AMemberThatIsReadInPiecesMeetsTheLimitInAnyOfThem) {
+  const auto bytes = zip_of({{"a", std::string(200'000, 'x')}});
+  EXPECT_EQ(why_not(bytes, {1, 200'000}), "");
+  EXPECT_EQ(why_not(bytes, {1, 199'999}), "a: unpacks to too much");
+  EXPECT_EQ(why_not(bytes, {1, 100'000}), "a: unpacks to too much");
+}
+
+TEST(Zip, ACutOneIsRefusedWithTheReasonOfTheLibrary) {
+  std::string noise;
+  for (std::uint32_t n = 1; noise.size() < 5'000; n = n * 1'664'525U + 1'013'904'223U)
+    noise.push_back(static_cast<char>(n >> 24U));
+  auto bytes = zip_of({{"a", noise}});
+  bytes.resize(2'000);
+  const std::string why = why_not(bytes);
+  EXPECT_EQ(why.find("a: is damaged: "), 0U) << why;
+  EXPECT_EQ(why.find("it cannot be read"), std::string::npos) << why;
+  EXPECT_GT(why.size(), std::string_view("a: is damaged: ").size());
+}
+
 TEST(Zip, TwoMembersOfOneNameAreRefused) {
   EXPECT_EQ(why_not(zip_of({{"a", "1"}, {"a", "2"}})), "a: is damaged: there are two members of one name");
 }

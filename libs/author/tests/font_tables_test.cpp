@@ -223,6 +223,16 @@ TEST(CharacterFont, ItsFamilyIsReadBack) {
   EXPECT_STREQ(FT_Get_Postscript_Name(font.face()), "Aiko-Regular");
 }
 
+TEST(CharacterFont, TheNameForPostScriptHasFiftyLettersAtMost) {
+  const auto name_of = [](std::size_t letters) {
+    const Bytes bytes = font_of({}, std::string(letters, 'k'));
+    return std::string(FT_Get_Postscript_Name(ReadFont(bytes).face()));
+  };
+  EXPECT_EQ(name_of(49), std::string(49, 'k') + "-Regular");
+  EXPECT_EQ(name_of(50), std::string(50, 'k') + "-Regular");
+  EXPECT_EQ(name_of(51), std::string(50, 'k') + "-Regular");
+}
+
 TEST(CharacterFont, ManyCodePointsWithGapsAreAllMapped) {
   std::vector<FontGlyph> glyphs;
   for (char32_t code = 0; code <= 0xFFFF; code += 2)

@@ -182,6 +182,15 @@ TEST_F(WorkbenchGrooveTest, PlacedPointsBecomeAStrokeAsWideAndDeepAsTheToolIsSet
   EXPECT_FALSE(bench_.finish_placing());
 }
 
+TEST_F(WorkbenchGrooveTest, TwoPlacedPointsAreEnoughForAStrokeOneIsNot) {
+  use(Tool::place);
+  click({20, 90});
+  EXPECT_FALSE(bench_.finish_placing());
+  click({80, 90});
+  ASSERT_TRUE(bench_.finish_placing());
+  EXPECT_EQ(strokes().size(), 3U);
+}
+
 TEST_F(WorkbenchGrooveTest, APlacedPointTakesThePlaceOfANearPointOfAStroke) {
   use(Tool::place);
   click({52, 31});

@@ -168,6 +168,21 @@ TEST_F(Writings, ABarThatThinsOutHasNoStop) {
   EXPECT_EQ(std::count(result.good.begin(), result.good.end(), 2), 0);
 }
 
+TEST_F(Writings, ASweepThatEndsAsBroadAsSevenTenthsOfItsBodyIsBlunt) {
+  // The body reaches to seven tenths of the length; what swells behind it does not count.
+  const auto ends_with = [&](double end) {
+    auto strokes = exactly(rest_);
+    auto& sweep = strokes[0];
+    for (std::size_t i = 0; i < sweep.size(); ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(sweep.size() - 1);
+      sweep[i].half_width_m = 0.03 * rest_.square.side_m * (share < 0.75 ? 1 : share < 0.9 ? 1.5 : end);
+    }
+    return has(advice_for(strokes, rest_), "no_sweep@0");
+  };
+  EXPECT_FALSE(ends_with(0.64));
+  EXPECT_TRUE(ends_with(0.75));
+}
+
 TEST_F(Writings, ABarThatIsLiftedWhileItMovesHasNoStop) {
   auto strokes = exactly(three_);
   auto& bar = strokes[2];
