@@ -59,6 +59,17 @@ TEST(Render, ThePictureHasTheSizeAskedFor) {
   EXPECT_EQ(square.height, 200);
 }
 
+TEST(Render, ASideHasSixteenToEightThousandPixels) {
+  EXPECT_EQ(rendered({"休", "--size", "16x17", "--map-size", "64"}).width, 16);
+  EXPECT_EQ(rendered({"休", "--size", "17x16", "--map-size", "64"}).height, 16);
+  const TemporaryFolder folder;
+  for (const char* size : {"15", "16x15", "15x16", "8193", "16x8193", "16x", "x16", "-16"}) {
+    const Outcome refused = nazori_cli({"render", "休", "--size", size, "--output", folder / "a.png"});
+    EXPECT_EQ(refused.code, 2) << size;
+    EXPECT_THAT(refused.err, HasSubstr("each 16..8192")) << size;
+  }
+}
+
 TEST(Render, EveryOptionChangesThePicture) {
   const std::vector<std::string> plain{"休", "--size", "240", "--map-size", "256"};
   const view::Picture first = rendered(plain);

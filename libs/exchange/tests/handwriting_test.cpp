@@ -55,6 +55,8 @@ TEST(Handwriting, WhatIsWrongIsNamedByItsPlace) {
         Wrong{R"({"strokes": [[[null, 2]]]})", "strokes[0][0]"},
         Wrong{R"({"strokes": [[[1, 2]]], "times": [[0], [1]]})", "times"},
         Wrong{R"({"strokes": [[[1, 2]]], "times": [["0"]]})", "times[0]"},
+        Wrong{R"({"strokes": [[[1, 2]]], "times": [{"at": 0}]})", "times[0]"},
+        Wrong{R"({"strokes": [[[1, 2]]], "times": [0]})", "times[0]"},
         Wrong{R"({"strokes": [[[1, 2]], [[1, 2]]], "times": [[0], [0, 1]]})", "stroke 2"},
         Wrong{R"({"strokes": [[[1, 2]]], "pressures": 1})", "pressures"},
         Wrong{R"({"strokes": [[[1, 2]]], "box": [1, 2]})", "box"},

@@ -56,6 +56,11 @@ TEST(Requests, OfAnotherVersionAreRefused) {
     EXPECT_TRUE(refused.is_refusal) << version;
     EXPECT_THAT(refused.line, HasSubstr("version: is ")) << version;
   }
+  EXPECT_THAT(reply(R"({"version": 2})").line, HasSubstr("version: is 2, not 1"));
+  const std::string digits(60, '7');
+  EXPECT_THAT(
+      reply("{\"version\": [" + digits.substr(0, 15) + "," + digits.substr(0, 15) + ",77777777777]}").line,
+      HasSubstr("version: is [" + digits.substr(0, 15) + "," + digits.substr(0, 15) + ",7777777, not 1"));
 }
 
 base::Result<PracticeRequest> read(const char* text) {

@@ -357,6 +357,14 @@ TEST(WholeDocument, OfAPlotNamesItsWindowStatementsAndTimes) {
   EXPECT_NEAR(surface["z"][1].get<double>(), 10, 0.2);
 }
 
+TEST(WholeDocument, OfAPlotCountsTheElementsOfAListFromOne) {
+  const Value json = plot_document("y = [1, 2] x; y = 2", {});
+  ASSERT_EQ(json["statements"].size(), 3U);
+  EXPECT_EQ(json["statements"][0]["element"], 1);
+  EXPECT_EQ(json["statements"][1]["element"], 2);
+  EXPECT_FALSE(json["statements"][2].contains("element"));
+}
+
 TEST(WholeDocument, OfAPlotTellsTheSizeOfAnAreaOnly) {
   const Value json = plot_document("area(x^3, -1, 2); area(1/x, -1, 1); y = x", {});
   const Value& area = json["statements"][0]["area"];
