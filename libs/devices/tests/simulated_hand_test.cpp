@@ -125,6 +125,17 @@ TEST(SimulatedHand, StopsWhenItIsToldTo) {
   EXPECT_EQ(hand.report().strokes[1].contact_share, 0) << "it did not come to the second stroke";
 }
 
+TEST(SimulatedHand, IsAskedWhetherToGoOnAtTheFirstTickAndEach256thAfterIt) {
+  const auto tablet = across_and_dot();
+  for (const int questions : {1, 2, 3}) {
+    SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch);
+    int asked = 0;
+    EXPECT_FALSE(hand.run(HandClock::none, [&](double, std::string_view) { return ++asked < questions; }));
+    EXPECT_EQ(asked, questions);
+    EXPECT_EQ(hand.report().timing.ticks, 1U + 256U * static_cast<unsigned>(questions - 1));
+  }
+}
+
 TEST(SimulatedHand, WithoutStrokesOrPointsNothingFails) {
   const auto tablet = across_and_dot();
   const auto scene = tablet->scene({}, {});
