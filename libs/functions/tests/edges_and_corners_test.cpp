@@ -46,6 +46,24 @@ TEST(EdgesOfSteps, TheValueAtAnIrrationalEdgeIsThatOfTheStepItself) {
             (Lines{"jump at x = pi, about 3.142, from y = 1 to y = minus 1, the value is 0"}));
 }
 
+TEST(EdgesOfSteps, RoundingStepsAtTheHalves) {
+  const Lines jumps = told_of("y = round(x) + x/9", {0.1, 1.9, -1, 4}).of(PointKind::jump);
+  ASSERT_EQ(jumps.size(), 2U);
+  EXPECT_EQ(jumps[0].find("jump at x = 1 over 2"), 0U) << jumps[0];
+  EXPECT_EQ(jumps[1].find("jump at x = 3 over 2"), 0U) << jumps[1];
+}
+
+TEST(SlantedAsymptotes, AreLinesInWords) {
+  const auto line = [](const char* text) {
+    const Lines lines = told_of(text, {-9, 9, -9, 9}).of(PointKind::slanted_asymptote);
+    return lines.size() == 1 ? lines[0] : std::to_string(lines.size());
+  };
+  EXPECT_EQ(line("y = x^2/(x - 1)"), "slanted asymptote y = x plus 1");
+  EXPECT_EQ(line("y = x^2/(x + 1)"), "slanted asymptote y = x minus 1");
+  EXPECT_EQ(line("y = 2 - x + 1/x"), "slanted asymptote y = minus x plus 2");
+  EXPECT_EQ(line("y = 3x + 1/x"), "slanted asymptote y = 3 times x");
+}
+
 TEST(EdgesOfSteps, AStepThatIsOnlyTouchedLeavesAHoleAndAPoint) {
   const Told told = told_of("y = floor(sin(x))", {0.5, 3, -2, 2});
   EXPECT_EQ(told.of(PointKind::hole), (Lines{"hole at x = pi over 2, about 1.571; y = 0"}));
