@@ -72,6 +72,7 @@ TEST(StrokePace, ASpeedThatIsLinearInTheWayGrowsExponentiallyInTime) {
       const double way = k == 0 ? kFirst * t : kFirst / k * (std::exp(k * t) - 1);
       EXPECT_NEAR(pace.at(0.25 + t).along, 1 + way, 1e-12) << last << ' ' << share;
       EXPECT_NEAR(pace.speed_at(1 + kWay * share), kFirst + (last - kFirst) * share, 1e-12);
+      EXPECT_DOUBLE_EQ(pace.speed_at(1 + 2 * kWay), last) << "beyond the end";
     }
   }
 }
